@@ -1,0 +1,52 @@
+// World space to tangent space and back, and the repair of a view direction below the shading horizon.
+#pragma once
+
+#include <lobe/core/vector.hpp>
+
+#include <cassert>
+
+namespace lobe {
+
+/// An orthonormal basis around a unit normal, n = t x b. In its tangent space the normal is (0,0,1).
+template <scalar T>
+struct frame {
+    vec3<T> t, b, n;
+
+    /// Any azimuth: Duff et al. 2017, "Building an Orthonormal Basis, Revisited", listing 3.
+    /// Domain: every unit normal, (0,0,-1) included. Error: orthonormal to 4 ULP of 1.
+    constexpr explicit frame(const vec3<T>& normal) : n(normal) {
+        const T sign = select(n.z < T(0), T(-1), T(1));
+        const T p = T(-1) / (sign + n.z);
+        const T q = n.x * n.y * p;
+        t = {T(1) + sign * n.x * n.x * p, sign * q, -sign * n.x};
+        b = {q, sign + n.y * n.y * p, -n.y};
+    }
+
+    /// The azimuth of `tangent`, of any length: its part along the normal is removed (Gram-Schmidt, done twice because
+    /// once loses orthogonality in proportion to 1/sin of the angle between the two).
+    /// Precondition: `tangent` is not parallel to the normal. Error: orthonormal to 4 ULP of 1.
+    constexpr frame(const vec3<T>& normal, const vec3<T>& tangent) : n(normal) {
+        assert(all(dot(cross(normal, tangent), cross(normal, tangent)) > T(0)));
+        t = normalize(tangent - dot(tangent, n) * n);
+        t = normalize(t - dot(t, n) * n);
+        b = cross(n, t);
+    }
+
+    constexpr vec3<T> to_local(const vec3<T>& w) const { return {dot(w, t), dot(w, b), dot(w, n)}; }
+    constexpr vec3<T> to_world(const vec3<T>& w) const { return w.x * t + w.y * b + w.z * n; }
+};
+
+/// Bends a view direction that a normal map or an interpolated normal put below the shading horizon: the direction of
+/// the same azimuth whose cosine is `min_cosine`. Directions at or above it come back unchanged, to the bit. A renderer
+/// calls this by name where it builds v; no formula does it silently.
+/// Domain: unit v; min_cosine in (0,1). Straight down, which has no azimuth, bends towards x.
+template <scalar T>
+constexpr vec3<T> bend_above_horizon(const vec3<T>& v, const T& min_cosine) {
+    using std::sqrt;
+    const T sine2 = v.x * v.x + v.y * v.y;
+    const T scale = sqrt((T(1) - min_cosine) * (T(1) + min_cosine) / select(sine2 > T(0), sine2, T(1)));
+    const vec3<T> bent{select(sine2 > T(0), v.x, T(1)) * scale, v.y * scale, min_cosine};
+    return select(v.z < min_cosine, bent, v);
+}
+
+}  // namespace lobe

@@ -1,0 +1,154 @@
+#include "catch.hpp"
+#include "support.hpp"
+
+#include <lobe/core/frame.hpp>
+#include <lobe/core/roughness.hpp>
+
+#include <bit>
+
+using lobe::frame;
+using lobe::vec3;
+
+namespace {
+
+// Half-way cases and the last bit of long double: what a correctly rounded reference cannot tell.
+constexpr double reference_slack = 0.01;
+
+template <class T>
+double worst_sincos(T u) {
+    const long double x = 2 * 3.141592653589793238462643383279502884L * static_cast<long double>(u);
+    const auto [s, c] = lobe::sincos_2pi(u);
+    // The reference itself: reduce in turns, where it is exact, or sinl at a multiple of pi is wrong in the absolute.
+    const long double turns = static_cast<long double>(u);
+    const long double quarter = std::round(turns * 4);
+    const long double r = 2 * 3.141592653589793238462643383279502884L * (turns - quarter / 4);
+    long double exact_sin = std::sin(x), exact_cos = std::cos(x);
+    switch (static_cast<int>(quarter) % 4) {
+        case 0: exact_sin = std::sin(r), exact_cos = std::cos(r); break;
+        case 1: exact_sin = std::cos(r), exact_cos = -std::sin(r); break;
+        case 2: exact_sin = -std::sin(r), exact_cos = -std::cos(r); break;
+        case 3: exact_sin = -std::cos(r), exact_cos = std::sin(r); break;
+    }
+    return std::max(ulp_error(s, exact_sin), ulp_error(c, exact_cos));
+}
+
+}  // namespace
+
+TEST_CASE("sincos_2pi is within 2 ULP: a strided sweep of the floats of [0,1]", "[core]") {
+    double worst = 0;
+    for (std::uint32_t bits = 0; bits <= std::bit_cast<std::uint32_t>(1.0f); bits += 509)
+        worst = std::max(worst, worst_sincos(std::bit_cast<float>(bits)));
+    for (int i = 0; i <= 4000000; ++i)  // evenly spread as well: most floats of [0,1] are tiny
+        worst = std::max(worst, worst_sincos(static_cast<float>(i) / 4000000.0f));
+    INFO(worst << " ULP");
+    CHECK(worst <= 2);
+}
+
+TEST_CASE("sincos_2pi is within 2 ULP in double", "[core]") {
+    random_numbers random(1);
+    double worst = 0;
+    for (int i = 0; i < 1000000; ++i) worst = std::max({worst, worst_sincos(random()), worst_sincos(random.log_between(1e-300, 1))});
+    INFO(worst << " ULP");
+    CHECK(worst <= 2 + reference_slack);
+}
+
+TEST_CASE("sincos_2pi of whole quarters is exact", "[core]") {
+    CHECK(lobe::sincos_2pi(0.0f).sin == 0);
+    CHECK(lobe::sincos_2pi(0.25f).sin == 1);
+    CHECK(lobe::sincos_2pi(0.25f).cos == 0);
+    CHECK(lobe::sincos_2pi(0.5).cos == -1);
+    CHECK(lobe::sincos_2pi(0.75).sin == -1);
+    CHECK(lobe::sincos_2pi(1.0).cos == 1);
+    CHECK(lobe::sincos_2pi(-0.1f).sin == -lobe::sincos_2pi(0.1f).sin);
+}
+
+namespace {
+
+template <class T>
+double not_orthonormal(const frame<T>& at) {
+    double worst = 0;
+    const vec3<long double> axes[3] = {vec3<long double>(at.t), vec3<long double>(at.b), vec3<long double>(at.n)};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) worst = std::max(worst, static_cast<double>(std::abs(lobe::dot(axes[i], axes[j]) - (i == j ? 1 : 0))));
+    return worst / std::numeric_limits<T>::epsilon();  // ULP of 1
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("frames are orthonormal and right-handed", "[core]", float, double) {
+    using T = TestType;
+    random_numbers random(2);
+    double worst = 0, worst_with_tangent = 0;
+    const auto look = [&](const vec3<T>& n) {
+        const frame<T> at(n);
+        worst = std::max(worst, not_orthonormal(at));
+        CHECK(lobe::dot(lobe::cross(at.t, at.b), at.n) > T(0.99));
+    };
+    for (const T x : {T(-1), T(0), T(1)})
+        for (const T y : {T(-1), T(0), T(1)})
+            for (const T z : {T(-1), T(0), T(1)})
+                if (x != 0 || y != 0 || z != 0) look(lobe::normalize(vec3<T>{x, y, z}));
+    for (int i = 0; i < 100000; ++i) {
+        const vec3<T> n = lobe::normalize(random.direction<T>());
+        const T tiny = static_cast<T>(random.log_between(1e-20, 1));
+        worst = std::max(worst, not_orthonormal(frame<T>(n)));
+        look(lobe::normalize(vec3<T>{n.x * tiny, n.y * tiny, n.z < 0 ? T(-1) : T(1)}));  // close to the poles
+        // a tangent down to 1e-4 radian from the normal, of any length
+        const frame<T> any(n);
+        const T angle = static_cast<T>(random.log_between(1e-4, 1.5));
+        const frame<T> with_tangent(n, T(7) * (std::cos(angle) * n + std::sin(angle) * any.t));
+        worst_with_tangent = std::max(worst_with_tangent, not_orthonormal(with_tangent));
+        if (angle > T(0.01)) CHECK(lobe::dot(with_tangent.t, any.t) > T(0.999));
+        CHECK(lobe::dot(lobe::cross(with_tangent.t, with_tangent.b), n) > T(0.99));
+    }
+    INFO(worst << " ULP, with a tangent " << worst_with_tangent);
+    CHECK(worst <= 4);
+    CHECK(worst_with_tangent <= 4);
+}
+
+TEST_CASE("to_local undoes to_world, and the normal is z", "[core]") {
+    random_numbers random(3);
+    for (int i = 0; i < 1000; ++i) {
+        const frame<double> at(random.direction());
+        const vec3<double> w = random.direction(), back = at.to_local(at.to_world(w));
+        CHECK(lobe::length(back - w) < 1e-14);
+        CHECK(at.to_local(at.n).z == Catch::Approx(1).epsilon(1e-14));
+    }
+}
+
+TEST_CASE("a view below the horizon is bent by name, others are left alone to the bit", "[core]") {
+    random_numbers random(4);
+    for (int i = 0; i < 10000; ++i) {
+        const vec3<float> v = random.direction<float>();
+        const vec3<float> bent = lobe::bend_above_horizon(v, 0.01f);
+        if (v.z >= 0.01f) {
+            CHECK(bent == v);
+        } else {
+            CHECK(bent.z == 0.01f);
+            CHECK(std::abs(lobe::length(bent) - 1) < 1e-6f);
+            CHECK(std::abs(bent.x * v.y - bent.y * v.x) < 1e-6f);  // the same azimuth
+            CHECK(bent.x * v.x + bent.y * v.y >= 0);
+        }
+    }
+    const vec3<float> down = lobe::bend_above_horizon(vec3<float>{0, 0, -1}, 0.01f);
+    CHECK(down.z == 0.01f);
+    CHECK(lobe::length(down) == Catch::Approx(1));
+}
+
+TEST_CASE("roughness becomes alpha by name", "[core]") {
+    CHECK(lobe::alpha<float>::from_roughness(0.5f).value() == 0.25f);
+    CHECK(lobe::alpha<float>::from_roughness(0.0f, 1e-4f).value() == 1e-4f);
+    CHECK(lobe::alpha<double>::at_least(0.2, 1e-4).value() == 0.2);
+    CHECK(lobe::alpha{0.3}.value() == 0.3);
+    static_assert(!std::is_convertible_v<float, lobe::alpha<float>>);
+}
+
+TEST_CASE("preconditions end in an assert", "[core]") {
+    CHECK_FALSE(aborts([] { lobe::alpha<float> good(0.1f); }));
+    CHECK(aborts([] { lobe::alpha<float> zero(0.0f); }));
+    CHECK(aborts([] { lobe::alpha<float> negative(-0.1f); }));
+    CHECK(aborts([] { lobe::alpha<float> nan(std::numeric_limits<float>::quiet_NaN()); }));
+    CHECK(aborts([] { (void)lobe::alpha<float>::from_roughness(0.0f); }));
+    CHECK(aborts([] { lobe::alpha_xy<float> flat(0.1f, 0.0f); }));
+    CHECK(aborts([] { frame<float> parallel(vec3<float>{0, 0, 1}, vec3<float>{0, 0, 2}); }));
+}
