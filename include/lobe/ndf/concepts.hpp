@@ -1,0 +1,40 @@
+// The role of a distribution of normals.
+#pragma once
+
+#include <lobe/core/roughness.hpp>
+
+namespace lobe {
+
+/// A distribution of normals is two functions and what follows from them:
+/// - `D(m)`: density of normals, 1/sr; of a direction, so any positive multiple of m; zero below the horizon;
+/// - `projected_area(w)`: sigma, the area of the microsurface seen from w per unit of macrosurface, its own back faces
+///   excluded (Heitz et al. 2015, Dupuy 2015): cos(theta_w) (1 + Lambda(w)) in Smith's terms; on the whole sphere;
+/// - `lambda(w)`: Smith's Lambda in a form that does not cancel; masking does not call it;
+/// - `width()`: the scale of its slopes along x and y, which quadrature wants to know.
+template <class N>
+concept distribution = scalar<typename N::scalar> && requires(const N ndf, const vec3<typename N::scalar> w) {
+    { N::isotropic } -> std::convertible_to<bool>;
+    { ndf.D(w) } -> std::same_as<typename N::scalar>;
+    { ndf.projected_area(w) } -> std::same_as<typename N::scalar>;
+    { ndf.lambda(w) } -> std::same_as<typename N::scalar>;
+    { ndf.width() } -> std::same_as<vec2<typename N::scalar>>;
+};
+
+/// ... that can be sampled: `sample(u)` draws normals with density `pdf(m) = D(m) cos(theta_m)`.
+template <class N>
+concept samplable_distribution =
+    distribution<N> && requires(const N ndf, const vec2<typename N::scalar> u, const vec3<typename N::scalar> m) {
+        { ndf.sample(u) } -> std::same_as<vec3<typename N::scalar>>;
+        { ndf.pdf(m) } -> std::same_as<typename N::scalar>;
+    };
+
+/// ... and whose visible normals can be sampled: `sample_visible(v, u)` with density
+/// `pdf_visible(v, m) = max(0, v.m) D(m) / projected_area(v)` (Heitz & d'Eon 2014).
+template <class N>
+concept visibly_samplable_distribution = distribution<N> && requires(const N ndf, const vec2<typename N::scalar> u,
+                                                                     const vec3<typename N::scalar> w) {
+    { ndf.sample_visible(w, u) } -> std::same_as<vec3<typename N::scalar>>;
+    { ndf.pdf_visible(w, w) } -> std::same_as<typename N::scalar>;
+};
+
+}  // namespace lobe

@@ -1,0 +1,70 @@
+// GGX, the distribution of Trowbridge and Reitz.
+#pragma once
+
+#include <lobe/ndf/stretched.hpp>
+
+namespace lobe {
+
+/// GGX at alpha = 1: the normals of a hemisphere, and so of half an ellipsoid once it is stretched.
+template <scalar T>
+struct ggx_profile {
+    constexpr T D(const vec3<T>&) const { return inv_pi<T>(); }
+
+    /// (|w| + w.z)/2 above the horizon; the same without cancellation below, (w.x^2 + w.y^2)/(2 (|w| - w.z)).
+    constexpr T projected_area(const vec3<T>& w) const {
+        using std::sqrt;
+        const T q = w.x * w.x + w.y * w.y;
+        const T S = sqrt(q + w.z * w.z);
+        return select(w.z < T(0), q / (S - w.z), S + w.z) / T(2);
+    }
+
+    /// (|w|/w.z - 1)/2; above the horizon as (w.x^2 + w.y^2)/(2 w.z (|w| + w.z)).
+    constexpr T lambda(const vec3<T>& w) const {
+        using std::sqrt;
+        const T q = w.x * w.x + w.y * w.y;
+        const T S = sqrt(q + w.z * w.z);
+        return select(w.z < T(0), S - w.z, q / (S + w.z)) / (T(2) * w.z);
+    }
+
+    /// Inverse CDF (Walter et al. 2007, eq. 35-36): the cosine hemisphere.
+    constexpr vec3<T> sample(const vec2<T>& u) const {
+        using std::sqrt;
+        const auto [s, c] = sincos_2pi(u.y);
+        const T r = sqrt(u.x);
+        return {r * c, r * s, sqrt(T(1) - u.x)};
+    }
+
+    /// Spherical caps: v plus a direction uniform on the cap that v's mirror image sees. Dupuy & Benyoub 2023, "Sampling
+    /// Visible GGX Normals with Spherical Caps", listing 3, here with the sine of the cap from components: its
+    /// sqrt(1 - z^2) is wrong by up to 17 times for small u.x in float.
+    constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const {
+        using std::sqrt;
+        const T sine2 = v.x * v.x + v.y * v.y;
+        const T height = select(v.z < T(0), sine2 / (T(1) - v.z), T(1) + v.z);  // 1 + v.z
+        const T z = (T(1) - u.x) * height;
+        const T r = sqrt(u.x * (height * z + sine2));
+        const auto [s, c] = sincos_2pi(u.y);
+        return {r * c + v.x, r * s + v.y, z};
+    }
+};
+
+/// GGX: D = alpha^2 / (pi (alpha^2 cos^2 + sin^2)^2), isotropic from `alpha`, anisotropic from `alpha_xy`.
+/// Trowbridge & Reitz 1975; Walter et al. 2007, eq. 33; anisotropic: Burley 2012, eq. 13. Projected area and Lambda: Heitz 2014,
+/// eq. 72, 86, in the form (S + cos)/2, S^2 = ax^2 x^2 + ay^2 y^2 + z^2.
+/// Domain: alpha >= 1e-6 in float (1/(pi alpha^2) must not overflow), any direction. D in 1/sr.
+/// Error: see docs/accuracy in the README; no term cancels, so D keeps its digits down to the smallest alpha.
+template <scalar T, class Width = alpha<T>>
+class ggx : public stretched<ggx_profile<T>, Width> {
+public:
+    constexpr explicit ggx(const Width& width) : stretched<ggx_profile<T>, Width>({}, width) {}
+
+private:
+    static_assert(samplable_distribution<stretched<ggx_profile<T>, Width>>);
+    static_assert(visibly_samplable_distribution<stretched<ggx_profile<T>, Width>>);
+};
+template <scalar T>
+ggx(alpha<T>) -> ggx<T, alpha<T>>;
+template <scalar T>
+ggx(alpha_xy<T>) -> ggx<T, alpha_xy<T>>;
+
+}  // namespace lobe

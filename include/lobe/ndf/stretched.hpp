@@ -1,0 +1,67 @@
+// A shape-invariant distribution: a profile at alpha = 1 and the width that stretches it.
+#pragma once
+
+#include <lobe/ndf/concepts.hpp>
+
+namespace lobe {
+
+/// Stretching a microsurface of width 1 by `Width` (alpha or alpha_xy) stretches its distribution of normals, its
+/// projected area and its samples: Heitz 2014, "Understanding the Masking-Shadowing Function", section 5.3.
+///
+///   D(m)     = D1(unstretch m) * density_ratio(m)      sigma(w) = sigma1(stretch w)
+///   normal   = normalize(stretch(normal of width 1))   visible normal: the same, seen from normalize(stretch v)
+///
+/// A `Profile` says what its surface of width 1 does:
+/// - `D(m)` of any positive multiple of m; `projected_area(w)`, homogeneous: the area seen from w/|w|, times |w|;
+/// - `lambda(w)` of any positive multiple of w;
+/// - `sample(u)` and `sample_visible(v, u)` (unit v): any positive multiple of the normal.
+template <class Profile, class Width>
+class stretched {
+    using T = typename Width::scalar;
+
+public:
+    using scalar = T;
+    static constexpr bool isotropic = Width::isotropic;
+
+    constexpr stretched(const Profile& profile_of_width_1, const Width& widths) : profile(profile_of_width_1), size(widths) {}
+
+    /// 1/sr; zero below the horizon, the limit from above at it. Any positive multiple of m.
+    constexpr T D(const vec3<T>& m) const {
+        return select(m.z < T(0), T(0), profile.D(size.unstretch(m)) * size.density_ratio(m));
+    }
+
+    /// Unit w, anywhere on the sphere.
+    constexpr T projected_area(const vec3<T>& w) const { return profile.projected_area(size.stretch(w)); }
+
+    /// Unit w; negative, at most -1, below the horizon, infinite at the horizon.
+    constexpr T lambda(const vec3<T>& w) const { return profile.lambda(size.stretch(w)); }
+
+    constexpr vec2<T> width() const { return {size.x(), size.y()}; }
+
+    /// A normal with density D(m) cos(theta_m); u in [0,1)^2.
+    constexpr vec3<T> sample(const vec2<T>& u) const { return normalize(size.stretch(profile.sample(u))); }
+    constexpr T pdf(const vec3<T>& m) const { return D(m) * m.z; }
+
+    /// A normal seen from v, with density max(0, v.m) D(m) / projected_area(v); unit v, also below the horizon, where the
+    /// random walk looks up through the surface; u in [0,1)^2.
+    constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const {
+        return normalize(size.stretch(profile.sample_visible(normalize(size.stretch(v)), u)));
+    }
+    constexpr T pdf_visible(const vec3<T>& v, const vec3<T>& m) const {
+        return max(dot(v, m), T(0)) * D(m) / projected_area(v);
+    }
+
+private:
+    [[no_unique_address]] Profile profile;
+    Width size;
+
+    static_assert(requires(const Profile p, const vec3<T> w, const vec2<T> u) {
+        { p.D(w) } -> std::same_as<T>;
+        { p.projected_area(w) } -> std::same_as<T>;
+        { p.lambda(w) } -> std::same_as<T>;
+        { p.sample(u) } -> std::same_as<vec3<T>>;
+        { p.sample_visible(w, u) } -> std::same_as<vec3<T>>;
+    });
+};
+
+}  // namespace lobe
