@@ -1,0 +1,49 @@
+// The roles that a BRDF is composed from, the role of a BRDF, and what evaluating and sampling one returns.
+#pragma once
+
+#include <lobe/ndf/concepts.hpp>
+
+namespace lobe {
+
+/// A Fresnel reflectance: a callable of the cosine v.h, with its cosine-weighted average over the hemisphere.
+template <class F, class T>
+concept fresnel = requires(const F reflectance, const T u) {
+    reflectance(u);
+    reflectance.average();
+};
+
+/// `evaluate(v, l)`: f(v,l) cos(theta_l), and the density with which `sample(v, u)` draws l, in 1/sr.
+template <class S, scalar T>
+struct evaluation {
+    S f_cos;
+    T pdf;
+};
+
+/// `sample(v, u)`: a light direction, its weight f_cos/pdf, and its density in 1/sr.
+/// A failed sample has pdf = 0, weight = 0, l = (0,0,1).
+template <class S, scalar T>
+struct direction_sample {
+    vec3<T> l;
+    S weight;
+    T pdf;
+};
+
+/// A BRDF: `f_cos(v, l)` is f(v,l) cos(theta_l), zero where v or l is below the horizon. `width()` is the scale of its
+/// narrowest structure in half-vector slopes along x and y, for quadrature.
+template <class B>
+concept brdf = scalar<typename B::scalar> && requires(const B b, const vec3<typename B::scalar> w) {
+    typename B::spectrum;
+    { B::isotropic } -> std::convertible_to<bool>;
+    { b.f_cos(w, w) } -> std::same_as<typename B::spectrum>;
+    { b.width() } -> std::same_as<vec2<typename B::scalar>>;
+};
+
+/// ... that draws light directions: u.x radial, u.y azimuthal, both in [0,1).
+template <class B>
+concept samplable_brdf = brdf<B> && requires(const B b, const vec3<typename B::scalar> w, const vec2<typename B::scalar> u) {
+    { b.sample(w, u) } -> std::same_as<direction_sample<typename B::spectrum, typename B::scalar>>;
+    { b.pdf(w, w) } -> std::same_as<typename B::scalar>;
+    { b.evaluate(w, w) } -> std::same_as<evaluation<typename B::spectrum, typename B::scalar>>;
+};
+
+}  // namespace lobe

@@ -1,0 +1,96 @@
+// The microfacet BRDF of Cook and Torrance, composed from a distribution, a masking model, a Fresnel reflectance and a sampler.
+#pragma once
+
+#include <lobe/brdf/concepts.hpp>
+#include <lobe/brdf/masking.hpp>
+#include <lobe/brdf/samplers.hpp>
+
+namespace lobe {
+
+/// f(v,l) = F(v.m) D(m) G2(v,l) / (4 cos(theta_v) cos(theta_l)) = F D / (4 den), in 1/sr. Cook & Torrance 1982; Walter et
+/// al. 2007, eq. 20. Nothing is divided by a cosine and no half vector is normalised: with s = v + l, D takes s as it
+/// is and v.m = |s|/2.
+/// v, l unit, in tangent space; f, f_cos, pdf are zero unless both are above the horizon. Reciprocal to rounding.
+template <distribution N, masking<N> M, fresnel<typename N::scalar> F, class Sampler = visible_caps>
+class microfacet {
+    using T = typename N::scalar;
+    using S = decltype(std::declval<const F&>()(std::declval<const T&>()));
+
+public:
+    using scalar = T;
+    using spectrum = S;
+    static constexpr bool isotropic = N::isotropic;
+
+    constexpr microfacet(const N& distribution_of_normals, const M& masking_model, const F& reflectance, const Sampler& sampling = {})
+        : ndf(distribution_of_normals), shadow(masking_model), fresnel_(reflectance), sampler(sampling) {
+        static_assert(samplable_brdf<microfacet>);
+    }
+
+    constexpr S f(const vec3<T>& v, const vec3<T>& l) const {
+        const half h(v + l);
+        return fresnel_(h.v_m) * select(above(v, l), ndf.D(h.s) / (T(4) * shadow.denominator(ndf, v, l)), T(0));
+    }
+
+    constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const {
+        const half h(v + l);
+        return fresnel_(h.v_m) * select(above(v, l), ndf.D(h.s) * l.z / (T(4) * shadow.denominator(ndf, v, l)), T(0));
+    }
+
+    constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const {
+        const half h(v + l);
+        return select(above(v, l), ndf.D(h.s) / (T(4) * sampler.area(h.v_m, h.m_z(), ndf.projected_area(v))), T(0));
+    }
+
+    /// f_cos and pdf together, sharing their work: for multiple importance sampling.
+    constexpr evaluation<S, T> evaluate(const vec3<T>& v, const vec3<T>& l) const {
+        const half h(v + l);
+        const T sv = ndf.projected_area(v);
+        const T D = select(above(v, l), ndf.D(h.s) / T(4), T(0));
+        return {fresnel_(h.v_m) * select(above(v, l), D * l.z / shadow.denominator(ndf, v, l, sv), T(0)),
+                select(above(v, l), D / sampler.area(h.v_m, h.m_z(), sv), T(0))};
+    }
+
+    /// Domain: v above the horizon, u in [0,1)^2. Fails where the sampled facet reflects v below the horizon.
+    constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const {
+        const vec3<T> m = sampler.sample(ndf, v, u);
+        const vec3<T> l = reflect(v, m);
+        const T v_m = dot(v, m), sv = ndf.projected_area(v);
+        const T area = sampler.area(v_m, m.z, sv);
+        const auto valid = above(v, l) && v_m > T(0);
+        return {select(valid, l, vec3<T>{T(0), T(0), T(1)}),
+                fresnel_(v_m) * select(valid, l.z * area / shadow.denominator(ndf, v, l, sv), T(0)),
+                select(valid, ndf.D(m) / (T(4) * area), T(0))};
+    }
+
+    constexpr vec2<T> width() const { return ndf.width(); }
+
+    // GLM converts float and double vectors into each other without a word; a BRDF does not.
+    template <class V, class L>
+    void f(const V&, const L&) const = delete;
+    template <class V, class L>
+    void f_cos(const V&, const L&) const = delete;
+    template <class V, class L>
+    void pdf(const V&, const L&) const = delete;
+    template <class V, class L>
+    void evaluate(const V&, const L&) const = delete;
+    template <class V, class U>
+    void sample(const V&, const U&) const = delete;
+
+private:
+    /// The half vector as v + l.
+    struct half {
+        vec3<T> s;
+        T v_m;  // v.m = |s|/2
+        constexpr explicit half(const vec3<T>& sum) : s(sum), v_m(length(sum) / T(2)) {}
+        constexpr T m_z() const { return s.z / (T(2) * v_m); }
+    };
+
+    static constexpr auto above(const vec3<T>& v, const vec3<T>& l) { return v.z > T(0) && l.z > T(0); }
+
+    [[no_unique_address]] N ndf;
+    [[no_unique_address]] M shadow;
+    [[no_unique_address]] F fresnel_;
+    [[no_unique_address]] Sampler sampler;
+};
+
+}  // namespace lobe

@@ -1,0 +1,82 @@
+// Schlick's approximation, and the perfect reflector.
+#pragma once
+
+#include <lobe/core/vector.hpp>
+
+#include <cassert>
+
+namespace lobe {
+
+namespace detail {
+
+template <scalar T>
+constexpr bool in_unit_interval(const T& x) {
+    return all(x >= T(0)) && all(x <= T(1));
+}
+template <scalar T>
+constexpr bool in_unit_interval(const vec3<T>& x) {
+    return in_unit_interval(x.x) && in_unit_interval(x.y) && in_unit_interval(x.z);
+}
+template <class S>
+constexpr bool in_unit_interval(const S&) {
+    return true;  // a spectrum of the user's own
+}
+
+}  // namespace detail
+
+/// A reflectance of 1 that takes no room: F90 of almost everything.
+struct unit {
+    template <class S>
+    static constexpr S as() {
+        return S(1);
+    }
+};
+
+/// F(u) = F0 + (F90 - F0) (1 - u)^5, u = v.h. Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering", eq. 15.
+/// S is the spectrum: one number, vec3 (linear rgb) or any type with S(T), + - * and S*T. F0, F90 in [0,1]; u in [0,1].
+/// Error against Fresnel's equations: up to 0.06 for dielectrics (near u = 0.1), 0.18 for iron's green; rounding: 8 ULP.
+template <class S, class F90 = unit>
+class schlick {
+public:
+    constexpr explicit schlick(const S& reflectance_0, const F90& reflectance_90 = {}) : f0(reflectance_0), f90(reflectance_90) {
+        assert(detail::in_unit_interval(f0));
+        if constexpr (!std::same_as<F90, unit>) assert(detail::in_unit_interval(f90));
+    }
+
+    template <scalar T>
+    constexpr S operator()(const T& u) const {
+        const T w = T(1) - u;
+        const T w2 = w * w;
+        return f0 + (grazing() - f0) * (w2 * w2 * w);
+    }
+
+    /// 2 int_0^1 F(u) u du = (20 F0 + F90)/21.
+    constexpr S average() const {
+        using T = lane_t<S>;
+        return (f0 * T(20) + grazing()) / T(21);
+    }
+
+    constexpr S F0() const { return f0; }
+
+private:
+    constexpr S grazing() const {
+        if constexpr (std::same_as<F90, unit>)
+            return S(1);
+        else
+            return f90;
+    }
+
+    S f0;
+    [[no_unique_address]] F90 f90;
+};
+
+/// F = 1: what the white furnace and every albedo of the microsurface alone assume.
+struct perfect_reflector {
+    template <scalar T>
+    constexpr T operator()(const T&) const {
+        return T(1);
+    }
+    constexpr double average() const { return 1; }
+};
+
+}  // namespace lobe
