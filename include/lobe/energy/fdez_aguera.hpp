@@ -1,0 +1,37 @@
+// Multiple scattering for image-based light, from the split-sum terms alone.
+#pragma once
+
+#include <lobe/energy/dfg.hpp>
+
+namespace lobe {
+
+/// What to multiply the prefiltered radiance and the irradiance/pi with.
+template <class S>
+struct ibl_weights {
+    S radiance, irradiance;
+};
+
+/// Fdez-Aguera 2019, "A Multiple-Scattering Microfacet Model for Real-Time Image Based Lighting", eq. 16-18 (the equations;
+/// the published listing counts the grazing Fresnel twice).
+///   FssEss = F0 scale + bias,  Ems = 1 - (scale + bias),  Fms = FssEss Favg / (1 - Favg Ems),  Favg = (20 F0 + 1)/21
+///   conductor:  radiance = FssEss,  irradiance = Fms Ems
+///   dielectric: ... + albedo (1 - FssEss - Fms Ems): what the specular lobe leaves, reflected by a diffuse base
+/// `irradiance` means irradiance/pi, as irradiance maps store it. F0, albedo in [0,1], linear.
+/// Not reciprocal (22 to 38 % for F0 = 0.9). Albedo against the random walk: within 0.042 at F0 = 0.5, 0.060 at F0 = 0.9.
+struct fdez_aguera {
+    template <class S, scalar T>
+    constexpr ibl_weights<S> operator()(const dfg_terms<T>& t, const S& F0) const {
+        const S FssEss = F0 * t.scale + S(t.bias);
+        const S Favg = (F0 * T(20) + S(T(1))) * (T(1) / T(21));
+        const T Ems = T(1) - t.albedo();
+        return {FssEss, FssEss * Favg * Ems / (S(T(1)) - Favg * Ems)};
+    }
+
+    template <class S, scalar T>
+    constexpr ibl_weights<S> operator()(const dfg_terms<T>& t, const S& F0, const std::type_identity_t<S>& albedo) const {
+        const ibl_weights<S> specular = (*this)(t, F0);
+        return {specular.radiance, specular.irradiance + albedo * (S(T(1)) - specular.radiance - specular.irradiance)};
+    }
+};
+
+}  // namespace lobe
