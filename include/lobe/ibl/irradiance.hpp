@@ -1,0 +1,47 @@
+// Diffuse light from an environment.
+#pragma once
+
+#include <lobe/core/frame.hpp>
+#include <lobe/ibl/latlong.hpp>
+#include <lobe/sampling/points.hpp>
+#include <lobe/sampling/warp.hpp>
+
+#include <concepts>
+#include <type_traits>
+
+namespace lobe {
+
+/// Irradiance/pi at the normal n: the mean radiance over the hemisphere, weighted with the cosine, which is what a white
+/// Lambertian surface sends back, and what irradiance maps store. Multiply by pi for the irradiance.
+/// `environment`: any callable from a unit world direction to a radiance. n: unit, world space.
+/// Error: that of `count` cosine-distributed Hammersley points; none for a constant environment.
+template <scalar T, class Environment>
+auto irradiance(const Environment& environment, const vec3<T>& n, std::uint32_t count) {
+    using S = std::decay_t<decltype(environment(n))>;
+    const frame<T> at(n);
+    S total(T(0));
+    for (std::uint32_t i = 0; i < count; ++i)
+        total = total + environment(at.to_world(square_to_cosine_hemisphere(hammersley<T>(i, count))));
+    return total * (T(1) / T(count));
+}
+
+/// The same from every texel of a lat-long image, with its solid angle: no sun is missed. Cost: width x height a normal.
+template <scalar T>
+vec3<T> irradiance(const latlong<T>& environment, const vec3<T>& n) {
+    using W = std::conditional_t<std::same_as<T, float>, double, T>;
+    vec3<W> total(W(0));
+    W weights(0);
+    for (int row = 0; row < environment.height; ++row) {
+        const T v = (T(row) + T(0.5)) / T(environment.height);
+        const T solid_angle = latlong_texel_solid_angle<T>(row, environment.width, environment.height);
+        for (int column = 0; column < environment.width; ++column) {
+            const T u = (T(column) + T(0.5)) / T(environment.width);
+            const T weight = max(dot(latlong_direction(vec2<T>{u, v}), n), T(0)) * solid_angle;
+            total += vec3<W>(environment.at(column, row) * weight);
+            weights += W(weight);
+        }
+    }
+    return vec3<T>(total / weights);  // not by pi: a constant environment comes back as it is
+}
+
+}  // namespace lobe

@@ -1,0 +1,37 @@
+// Everything but the test kit.
+#pragma once
+
+#include <lobe/version.hpp>
+
+#include <lobe/core/frame.hpp>
+#include <lobe/core/roughness.hpp>
+#include <lobe/core/scalar.hpp>
+#include <lobe/core/vector.hpp>
+
+#include <lobe/sampling/points.hpp>
+#include <lobe/sampling/warp.hpp>
+
+#include <lobe/ndf/concepts.hpp>
+#include <lobe/ndf/ggx.hpp>
+#include <lobe/ndf/stretched.hpp>
+
+#include <lobe/fresnel/schlick.hpp>
+
+#include <lobe/brdf/concepts.hpp>
+#include <lobe/brdf/lambert.hpp>
+#include <lobe/brdf/masking.hpp>
+#include <lobe/brdf/microfacet.hpp>
+#include <lobe/brdf/samplers.hpp>
+#include <lobe/brdf/sum.hpp>
+
+#include <lobe/energy/albedo.hpp>
+#include <lobe/energy/dfg.hpp>
+#include <lobe/energy/dfg_table.hpp>
+#include <lobe/energy/fdez_aguera.hpp>
+#include <lobe/energy/quadrature.hpp>
+#include <lobe/energy/random_walk.hpp>
+
+#include <lobe/ibl/directions.hpp>
+#include <lobe/ibl/irradiance.hpp>
+#include <lobe/ibl/latlong.hpp>
+#include <lobe/ibl/prefilter.hpp>

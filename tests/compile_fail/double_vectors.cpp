@@ -1,0 +1,11 @@
+// GLM would convert the vectors of a double renderer to float without a word.
+#include <lobe/lobe.hpp>
+
+glm::vec3 shade(const glm::dvec3& v, const glm::dvec3& l) {
+    const lobe::microfacet brdf{lobe::ggx{lobe::alpha{0.3f}}, lobe::smith_correlated{}, lobe::schlick{glm::vec3(0.5f)}};
+#ifdef LOBE_SHOULD_COMPILE
+    return brdf.f_cos(glm::vec3(v), glm::vec3(l));
+#else
+    return brdf.f_cos(v, l);
+#endif
+}
