@@ -5,6 +5,7 @@
 #include <lobe/brdf/microfacet.hpp>
 #include <lobe/brdf/sum.hpp>
 #include <lobe/energy/albedo.hpp>
+#include <lobe/energy/random_walk.hpp>
 #include <lobe/fresnel/schlick.hpp>
 #include <lobe/ndf/ggx.hpp>
 #include <lobe/sampling/points.hpp>
@@ -100,9 +101,9 @@ TEST_CASE("Schlick's Fresnel: ends, middle, average", "[fresnel]") {
     vec3<double> average(0);
     for (std::size_t i = 0; i < rule.x.size(); ++i) average += 2 * rule.w[i] * rule.x[i] * dim(rule.x[i]);
     CHECK(lobe::length(average - dim.average()) < 1e-15);
-    CHECK(aborts([] { schlick too_bright(1.5); }));
-    CHECK(aborts([] { schlick negative(vec3<float>{0.5f, -0.1f, 0.5f}); }));
-    CHECK(aborts([] { schlick nan(std::numeric_limits<float>::quiet_NaN()); }));
+    CHECK(aborts([] { (void)schlick(1.5); }));
+    CHECK(aborts([] { (void)schlick(vec3<float>{0.5f, -0.1f, 0.5f}); }));
+    CHECK(aborts([] { (void)schlick(std::numeric_limits<float>::quiet_NaN()); }));
 }
 
 TEST_CASE("f is reciprocal to rounding", "[microfacet]") {
@@ -159,7 +160,7 @@ namespace {
 
 /// weight * pdf = f_cos, pdf(v, sample.l) = sample.pdf, evaluate = (f_cos, pdf), E[weight] = albedo, int pdf = success rate.
 template <class B>
-void check_sampling(const B& brdf, const vec3<double>& v, std::uint32_t count, double tolerance) {
+void expect_consistent_sampling(const B& brdf, const vec3<double>& v, std::uint32_t count, double tolerance) {
     double mean_weight = 0, success = 0, worst = 0, shared = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto s = brdf.sample(v, lobe::hammersley<double>(i, count));
@@ -188,13 +189,13 @@ TEST_CASE("samples follow their density and weights add up to the albedo", "[mic
         for (double mu : {0.05, 0.5, 1.0}) {
             INFO("alpha " << a << " mu " << mu);
             const vec3<double> v{std::sqrt((1 - mu) * (1 + mu)) * 0.6, std::sqrt((1 - mu) * (1 + mu)) * 0.8, mu};
-            check_sampling(microfacet{ggx{alpha{a}}, smith_correlated{}, schlick{0.5}}, v, 1u << 18, 1e-4);
-            check_sampling(microfacet{ggx{alpha_xy{a, 0.3}}, smith_separable{}, schlick{0.5}}, v, 1u << 18, 1e-4);
-            check_sampling(microfacet{ggx{alpha_xy{0.3, a}}, smith_correlated{}, schlick{0.5}}, v, 1u << 18, 1e-4);
+            expect_consistent_sampling(microfacet{ggx{alpha{a}}, smith_correlated{}, schlick{0.5}}, v, 1u << 18, 1e-4);
+            expect_consistent_sampling(microfacet{ggx{alpha_xy{a, 0.3}}, smith_separable{}, schlick{0.5}}, v, 1u << 18, 1e-4);
+            expect_consistent_sampling(microfacet{ggx{alpha_xy{0.3, a}}, smith_correlated{}, schlick{0.5}}, v, 1u << 18, 1e-4);
             // all normals: heavy-tailed weights at grazing angles (up to 56 at mu = 0.05), so only away from them
-            if (mu >= 0.5) check_sampling(microfacet{ggx{alpha{a}}, smith_correlated{}, schlick{0.5}, lobe::all_normals{}}, v, 1u << 18, 5e-4);
+            if (mu >= 0.5) expect_consistent_sampling(microfacet{ggx{alpha{a}}, smith_correlated{}, schlick{0.5}, lobe::all_normals{}}, v, 1u << 18, 5e-4);
         }
-    check_sampling(lobe::lambert{0.7}, vec3<double>{0.6, 0, 0.8}, 1u << 10, 1e-12);
+    expect_consistent_sampling(lobe::lambert{0.7}, vec3<double>{0.6, 0, 0.8}, 1u << 10, 1e-12);
 }
 
 TEST_CASE("the success rate of visible normals is below 1 where facets reflect downwards", "[microfacet]") {
@@ -248,4 +249,9 @@ TEST_CASE("a spectrum may be the user's own type", "[microfacet]") {
     const vec3<double> v{0.6, 0, 0.8}, l{0, 0.8, 0.6};
     CHECK(brdf.f_cos(v, l).value[2] == band.f_cos(v, l));
     CHECK(brdf.sample(v, {0.3, 0.4}).weight.value[2] == band.sample(v, {0.3, 0.4}).weight);
+    CHECK((f0 * f0).value[2] == 0.25);
+    random_numbers random(8), again(8);
+    for (int i = 0; i < 100; ++i)
+        CHECK(lobe::random_walk{ggx{alpha{0.9}}, schlick{f0}}.sample(v, random).weight.value[2] ==
+              lobe::random_walk{ggx{alpha{0.9}}, schlick{0.5}}.sample(v, again).weight);
 }

@@ -17,7 +17,7 @@ Pack load(const std::vector<typename Pack::value_type>& lanes) {
 }
 
 template <class Pack>
-void check_packs(typename Pack::value_type tolerance) {
+void compare_packs(typename Pack::value_type tolerance) {
     using T = typename Pack::value_type;
     random_numbers random(1);
     const auto make = [](const T& a) {
@@ -51,6 +51,10 @@ void check_packs(typename Pack::value_type tolerance) {
     }
 }
 
+}  // namespace
+
+namespace duals {
+
 /// A number and its derivative.
 struct dual {
     double value = 0, slope = 0;
@@ -75,11 +79,13 @@ struct dual {
     friend dual cos(dual a) { return dual(std::cos(a.value), -a.slope * std::sin(a.value)); }
 };
 
-}  // namespace
+}  // namespace duals
+
+using duals::dual;
 
 TEST_CASE("a pack of floats or doubles gives what its lanes give", "[packs]") {
-    check_packs<xsimd::batch<float>>(2e-6f);
-    check_packs<xsimd::batch<double>>(4e-15);
+    compare_packs<xsimd::batch<float>>(2e-6f);
+    compare_packs<xsimd::batch<double>>(4e-15);
 }
 
 TEST_CASE("dual numbers differentiate f_cos with respect to alpha", "[packs]") {

@@ -46,4 +46,19 @@ concept samplable_brdf = brdf<B> && requires(const B b, const vec3<typename B::s
     { b.evaluate(w, w) } -> std::same_as<evaluation<typename B::spectrum, typename B::scalar>>;
 };
 
+/// GLM converts float and double vectors into each other without a word. A BRDF that derives from this, and `using`s its
+/// names, does not: vectors of any other type than its own find a deleted function.
+struct exact_vectors {
+    template <class V, class L>
+    void f(const V&, const L&) const = delete;
+    template <class V, class L>
+    void f_cos(const V&, const L&) const = delete;
+    template <class V, class L>
+    void pdf(const V&, const L&) const = delete;
+    template <class V, class L>
+    void evaluate(const V&, const L&) const = delete;
+    template <class V, class U>
+    void sample(const V&, const U&) const = delete;
+};
+
 }  // namespace lobe

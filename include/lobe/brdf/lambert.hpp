@@ -11,12 +11,13 @@ namespace lobe {
 /// f = albedo/pi, in 1/sr. Lambert 1760. Sampled in proportion to the cosine, so that the weight is the albedo.
 /// S: one number or linear rgb, albedo in [0,1]; v, l unit, in tangent space; zero below the horizon.
 template <class S>
-class lambert {
+class lambert : exact_vectors {
     using T = lane_t<S>;
 
 public:
     using scalar = T;
     using spectrum = S;
+    using exact_vectors::f, exact_vectors::f_cos, exact_vectors::pdf, exact_vectors::evaluate, exact_vectors::sample;
     static constexpr bool isotropic = true;
 
     constexpr explicit lambert(const S& albedo) : rho(albedo) { static_assert(samplable_brdf<lambert>); }
@@ -33,18 +34,6 @@ public:
     }
 
     constexpr vec2<T> width() const { return {T(1), T(1)}; }
-
-    // GLM converts float and double vectors into each other without a word; a BRDF does not.
-    template <class V, class L>
-    void f(const V&, const L&) const = delete;
-    template <class V, class L>
-    void f_cos(const V&, const L&) const = delete;
-    template <class V, class L>
-    void pdf(const V&, const L&) const = delete;
-    template <class V, class L>
-    void evaluate(const V&, const L&) const = delete;
-    template <class V, class U>
-    void sample(const V&, const U&) const = delete;
 
 private:
     static constexpr auto above(const vec3<T>& v, const vec3<T>& l) { return v.z > T(0) && l.z > T(0); }

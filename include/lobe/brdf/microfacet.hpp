@@ -12,13 +12,14 @@ namespace lobe {
 /// is and v.m = |s|/2.
 /// v, l unit, in tangent space; f, f_cos, pdf are zero unless both are above the horizon. Reciprocal to rounding.
 template <distribution N, masking<N> M, fresnel<typename N::scalar> F, class Sampler = visible_caps>
-class microfacet {
+class microfacet : exact_vectors {
     using T = typename N::scalar;
     using S = decltype(std::declval<const F&>()(std::declval<const T&>()));
 
 public:
     using scalar = T;
     using spectrum = S;
+    using exact_vectors::f, exact_vectors::f_cos, exact_vectors::pdf, exact_vectors::evaluate, exact_vectors::sample;
     static constexpr bool isotropic = N::isotropic;
 
     constexpr microfacet(const N& distribution_of_normals, const M& masking_model, const F& reflectance, const Sampler& sampling = {})
@@ -63,18 +64,6 @@ public:
     }
 
     constexpr vec2<T> width() const { return ndf.width(); }
-
-    // GLM converts float and double vectors into each other without a word; a BRDF does not.
-    template <class V, class L>
-    void f(const V&, const L&) const = delete;
-    template <class V, class L>
-    void f_cos(const V&, const L&) const = delete;
-    template <class V, class L>
-    void pdf(const V&, const L&) const = delete;
-    template <class V, class L>
-    void evaluate(const V&, const L&) const = delete;
-    template <class V, class U>
-    void sample(const V&, const U&) const = delete;
 
 private:
     /// The half vector as v + l.

@@ -9,13 +9,14 @@ namespace lobe {
 
 /// weight * f. The weight is one number: colour belongs to the BRDF.
 template <brdf B>
-class weighted {
+class weighted : exact_vectors {
     using T = typename B::scalar;
     using S = typename B::spectrum;
 
 public:
     using scalar = T;
     using spectrum = S;
+    using exact_vectors::f, exact_vectors::f_cos;
     static constexpr bool isotropic = B::isotropic;
 
     constexpr weighted(const T& weight, const B& lobe) : w(weight), b(lobe) {}
@@ -32,7 +33,7 @@ private:
 /// f1 + f2 + ... Nothing is shared between the lobes: what one takes from another is the business of its weight.
 /// `for_each_lobe(g)` calls g with each: quadrature integrates them separately, each on its own width.
 template <brdf First, brdf... Rest>
-class sum {
+class sum : exact_vectors {
     using T = typename First::scalar;
     using S = typename First::spectrum;
     static_assert((std::same_as<T, typename Rest::scalar> && ...), "the lobes of a sum share one scalar type");
@@ -41,6 +42,7 @@ class sum {
 public:
     using scalar = T;
     using spectrum = S;
+    using exact_vectors::f, exact_vectors::f_cos;
     static constexpr bool isotropic = First::isotropic && (Rest::isotropic && ...);
 
     constexpr explicit sum(const First& first, const Rest&... rest) : lobes(first, rest...) {}

@@ -26,7 +26,7 @@ public:
     }
 
 private:
-    std::size_t index(int column, int row) const { return static_cast<std::size_t>(row) * static_cast<std::size_t>(n) + static_cast<std::size_t>(column); }
+    std::size_t index(int column, int row) const { return static_cast<std::size_t>(row * n + column); }
 
     int n;
     std::vector<T> values;
@@ -96,7 +96,7 @@ dfg_table<T, Masking> bake_dfg(const Masking& masking_model, const dfg_table_opt
     };
     dfg_table<T, Masking> table(options.size);
     for (int row = 0; row <= last; ++row) {
-        const W y = W(row) / W(last), r = max(y * y, W(0.01)), a = r * r;
+        const W y = W(row) / W(last), r = max(y * y, W(0.01)), a = r * r;  // house: a node of the table, alpha = 0 to E's limit
         for (int column = 0; column <= last; ++column) {
             const W x = W(column) / W(last), x2 = x * x;
             const vec2<W> at_warped = terms(min(detail::dfg_axes<W>::mu(x, r), W(1)), a);

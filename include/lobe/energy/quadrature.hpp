@@ -25,7 +25,7 @@ struct estimate {
 /// 256; otherwise the value is that of this order, and its error the distance to half of it.
 /// A view in the plane of symmetry of an isotropic BRDF costs 2 order^2 evaluations, any other 4 order^2.
 struct quadrature {
-    double tolerance = 1e-6;
+    double tolerance = 1e-6;  // house: asked of the result, part of no formula
     int order = 0;
 };
 
