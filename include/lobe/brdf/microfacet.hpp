@@ -52,7 +52,8 @@ public:
     }
 
     /// Domain: v above the horizon, u in [0,1)^2. Fails where the sampled facet reflects v below the horizon.
-    constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const {
+    /// (Inlined by force: clang would call it, and a loop with a call does not vectorise.)
+    [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const {
         const vec3<T> m = sampler.sample(ndf, v, u);
         const vec3<T> l = reflect(v, m);
         const T v_m = dot(v, m), sv = ndf.projected_area(v);

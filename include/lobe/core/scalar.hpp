@@ -23,7 +23,7 @@ concept scalar = !std::integral<T> && requires(const T a, const T b) {
 
 /// `mask ? a : b` as a function: packs bring their own overload, vectors have one in vector.hpp.
 /// Both sides are evaluated, so the one that is not taken may be infinite or NaN.
-template <class T>
+template <scalar T>
 constexpr T select(bool mask, const T& a, const T& b) {
     return mask ? a : b;
 }
@@ -97,9 +97,8 @@ constexpr sincos_result<T> sincos_2pi(const T& u) {
         using std::cos, std::sin;
         return {sin(T(2) * pi<T>() * u), cos(T(2) * pi<T>() * u)};
     } else {
-        const T quarter = select(u < T(0.125f), T(0),
-                                 select(u < T(0.375f), T(1),
-                                        select(u < T(0.625f), T(2), select(u < T(0.875f), T(3), T(4)))));
+        const auto step = [&](float at) { return select(u < T(at), T(0), T(1)); };  // summed: nested selects stay scalar
+        const T quarter = step(0.125f) + step(0.375f) + step(0.625f) + step(0.875f);
         const T r = u - quarter * T(0.25f);
         const T t = r * r;
         T sine, cosine;

@@ -52,9 +52,8 @@ constexpr vec3<T> half_vector(const vec3<T>& v, const vec3<T>& l) {
     return normalize(v + l);
 }
 
-/// For a mask that is a pack; a mask that is a bool selects whole vectors through scalar.hpp.
+/// Component by component, which compilers vectorise, as they do not the choice between two whole vectors.
 template <class Mask, scalar T>
-    requires(!std::same_as<Mask, bool>)
 constexpr vec3<T> select(const Mask& mask, const vec3<T>& a, const vec3<T>& b) {
     return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
 }

@@ -58,11 +58,11 @@ public:
     vec3<T> operator()(const vec3<T>& direction, const T& solid_angle) const {
         using std::log2;
         const T side = pi<T>() / T(levels.front().height);
-        const T finest(0), coarsest(static_cast<int>(levels.size()) - 1);
+        const T finest(0), coarsest = static_cast<T>(levels.size() - 1);
         const T lod = min(max(log2(solid_angle / (side * side)) / T(2), finest), coarsest);
         const auto low = static_cast<std::size_t>(lod);
         const auto high = std::min(low + 1, levels.size() - 1);
-        const T t = lod - T(static_cast<int>(low));
+        const T t = lod - static_cast<T>(low);
         return levels[low](direction) * (T(1) - t) + levels[high](direction) * t;
     }
 
