@@ -133,6 +133,8 @@ TEST_CASE("a view below the horizon is bent by name, others are left alone to th
     const vec3<float> down = lobe::bend_above_horizon(vec3<float>{0, 0, -1}, 0.01f);
     CHECK(down.z == 0.01f);
     CHECK(lobe::length(down) == Catch::Approx(1));
+    for (float x : {1e-38f, 1e-30f, 1e-20f, 1e-16f, 1e-14f, 1e-8f})
+        CHECK(lobe::length(lobe::bend_above_horizon(vec3<float>{0, x, -1}, 0.01f)) == Catch::Approx(1));
 }
 
 TEST_CASE("roughness becomes alpha by name", "[core]") {

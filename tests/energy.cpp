@@ -60,6 +60,36 @@ TEST_CASE("the quadrature doubles its order until two agree, and says so", "[ene
     CHECK(lobe::directional_albedo(hc, 0.5, {.order = 16}).evaluations == 512 + 128);  // itself and the half order of its error
 }
 
+TEST_CASE("the same accuracy between the table's points", "[energy]") {
+    // At alpha 1 there is a closed form; elsewhere the rule is compared with four times its order, after the table has
+    // vouched for the formula itself. Anisotropic widths up to 1000 apart have bars of their own.
+    random_numbers random(6);
+    double closed = 0, low = 0, high = 0, anisotropic = 0;
+    for (int i = 0; i < 300; ++i) {
+        const double mu = random.log_between(1e-3, 1), a = random.log_between(1e-3, 1);
+        const microfacet one{ggx{alpha{1.0}}, smith_correlated{}, perfect_reflector{}};
+        closed = std::max(closed, std::abs(lobe::directional_albedo(one, mu, {.order = 16}).value - (1 - mu * std::log(1 + 1 / mu))));
+        const auto compare = [&](const auto& masking) {
+            const microfacet lobe{ggx{alpha{a}}, masking, perfect_reflector{}};
+            const double fine = lobe::directional_albedo(lobe, mu, {.order = 128}).value;
+            low = std::max(low, std::abs(lobe::directional_albedo(lobe, mu, {.order = 16}).value - fine));
+            high = std::max(high, std::abs(lobe::directional_albedo(lobe, mu, {.order = 32}).value - fine));
+        };
+        compare(smith_correlated{});
+        compare(smith_separable{});
+        if (i % 10) continue;
+        const microfacet lobe{ggx{alpha_xy{a, random.log_between(1e-3, 1)}}, smith_correlated{}, perfect_reflector{}};
+        const auto v = random.grazing_direction(1e-3);
+        anisotropic = std::max(anisotropic, std::abs(lobe::directional_albedo(lobe, v, {.order = 32}).value -
+                                                     lobe::directional_albedo(lobe, v, {.order = 128}).value));
+    }
+    INFO("closed form " << closed << ", order 16 " << low << ", order 32 " << high << ", anisotropic " << anisotropic);
+    CHECK(closed < 2e-5);
+    CHECK(low < 2e-5);
+    CHECK(high < 1e-7);
+    CHECK(anisotropic < 5e-5);
+}
+
 TEST_CASE("compositions reach the same accuracy through the same function", "[energy]") {
     for (const bool correlated : {true, false}) {
         const auto table = reference_table("albedo_ggx_F1.csv");
@@ -74,13 +104,13 @@ TEST_CASE("compositions reach the same accuracy through the same function", "[en
                 const microfacet rough{ggx{alpha{0.5}}, masking, perfect_reflector{}};
                 const lobe::sum mixture{lobe::weighted{0.3, sharp}, lobe::weighted{0.7, rough}};
                 const lobe::sum coated{rough, lobe::lambert{0.4}};
-                const lobe::sum nested{mixture, lobe::weighted{0.5, coated}};
+                const lobe::sum nested{rough, lobe::weighted{0.5, lobe::sum{mixture, lobe::lambert{0.4}}}};
                 for (const auto& [order, bar] : {std::pair{16, 3e-5}, std::pair{32, 3e-6}}) {
                     INFO("mu " << mu << " order " << order);
                     CHECK(std::abs(lobe::directional_albedo(mixture, mu, {.order = order}).value - (0.3 * E(mu, 0.01) + 0.7 * E(mu, 0.5))) < bar);
                     CHECK(std::abs(lobe::directional_albedo(coated, mu, {.order = order}).value - (E(mu, 0.5) + 0.4)) < bar);
                     CHECK(std::abs(lobe::directional_albedo(nested, mu, {.order = order}).value -
-                                   (0.3 * E(mu, 0.01) + 1.2 * E(mu, 0.5) + 0.2)) < 1.5 * bar);
+                                   (0.15 * E(mu, 0.01) + 1.35 * E(mu, 0.5) + 0.2)) < 1.5 * bar);
                 }
             }
         };
@@ -162,6 +192,9 @@ TEST_CASE("the baked table keeps its promise between and beyond its nodes", "[en
                 CHECK(t.bias >= 0);
                 CHECK(t.albedo() <= 1.00001f);
             }
+        const auto bent = table(0.0f, alpha{0.3f});  // a cosine below the horizon, or none at all, is answered at it
+        CHECK(table(-0.01f, alpha{0.3f}).scale == bent.scale);
+        CHECK(table(std::numeric_limits<float>::quiet_NaN(), alpha{0.3f}).bias == bent.bias);
         CHECK(table(1.0f, alpha{1e-4f}).scale == Catch::Approx(1).margin(1e-5));
         CHECK(table(0.0f, alpha{1e-4f}).scale == Catch::Approx(0).margin(0.02));
     };

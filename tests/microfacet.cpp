@@ -152,8 +152,23 @@ TEST_CASE("a failed sample has pdf 0, weight 0 and l = n", "[microfacet]") {
         CHECK(s.l == vec3<float>(0, 0, 1));
     }
     CHECK(failed > 0);
-    const auto below = brdf.sample(vec3<float>{0.6f, 0, -0.8f}, {0.3f, 0.3f});
-    CHECK(below.pdf == 0);
+    for (const vec3<float>& under : {vec3<float>{0.6f, 0, -0.8f}, vec3<float>{0, 0, -1}}) {
+        const auto below = brdf.sample(under, {0.3f, 0.3f});
+        CHECK(below.pdf == 0);
+        CHECK(below.weight == vec3<float>(0));
+        CHECK(below.l == vec3<float>(0, 0, 1));
+    }
+}
+
+TEST_CASE("a reflectance is never negative, though rounding takes v.m above 1", "[microfacet]") {
+    const microfacet black{ggx{alpha{0.5f}}, smith_correlated{}, schlick{0.0f}};
+    random_numbers random(9);
+    float least = 1;
+    for (int i = 0; i < 100000; ++i) {
+        const auto v = random.grazing_direction<float>(1e-3);
+        least = std::min({least, black.f_cos(v, v), black.sample(v, {0, 0}).weight});
+    }
+    CHECK(least >= 0);
 }
 
 namespace {

@@ -38,6 +38,8 @@ void compare_packs(typename Pack::value_type tolerance) {
         const auto s = wide.sample(v, u);
         const lobe::frame<Pack> at(v);
         const auto back = at.to_world(at.to_local(l));
+        const auto diffuse = lobe::lambert{vec3<Pack>{Pack(T(0.5)), Pack(T(0.6)), Pack(T(0.7))}}.evaluate(v, l);
+        const auto weights = lobe::fdez_aguera{}(lobe::dfg_terms<Pack>{u.x * T(0.9), u.x * T(0.1)}, vec3<Pack>{u.y, u.y, u.y});
         for (std::size_t i = 0; i < Pack::size; ++i) {
             const vec3<T> vi{in[0][i], in[1][i], in[2][i]}, li{in[3][i], in[4][i], in[5][i]};
             const auto one = make(T(0.3)).evaluate(vi, li);
@@ -47,6 +49,9 @@ void compare_packs(typename Pack::value_type tolerance) {
             CHECK(std::abs(s.l.x.get(i) - sample.l.x) <= tolerance * T(10));
             CHECK(std::abs(s.weight.z.get(i) - sample.weight.z) <= tolerance * T(100));
             CHECK(std::abs(back.x.get(i) - li.x) <= tolerance * T(10));
+            CHECK(std::abs(diffuse.f_cos.y.get(i) - lobe::lambert{T(0.6)}.f_cos(vi, li)) <= tolerance);
+            const auto metal = lobe::fdez_aguera{}(lobe::dfg_terms<T>{in[6][i] * T(0.9), in[6][i] * T(0.1)}, in[7][i]);
+            CHECK(std::abs(weights.irradiance.x.get(i) - metal.irradiance) <= tolerance);
         }
     }
 }

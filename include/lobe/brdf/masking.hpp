@@ -1,4 +1,5 @@
-// Smith's masking and shadowing, written on the projected area: one function a model, its denominator.
+// Masking and shadowing: one function a model, its denominator. Smith's models, written on the projected area; Schlick's
+// approximation is in schlick_ggx.hpp, V-cavities in v_cavity.hpp.
 #pragma once
 
 #include <lobe/ndf/concepts.hpp>
@@ -26,7 +27,7 @@ struct masking_functions {
         return v.z * l.z / denominator(ndf, v, l);
     }
 
-    /// ... that v sees: cos(theta_v) / projected_area(v) = 1/(1 + Lambda(v)).
+    /// ... that v sees: cos(theta_v) / projected_area(v) = 1/(1 + Lambda(v)). A model whose G1 is not Smith's declares its own.
     template <distribution N, class T = typename N::scalar>
     constexpr T G1(const N& ndf, const vec3<T>& v) const {
         return v.z / ndf.projected_area(v);
@@ -54,6 +55,52 @@ struct smith_correlated : masking_functions<smith_correlated> {
     template <distribution N, class T = typename N::scalar>
     constexpr T denominator(const N& ndf, const vec3<T>& v, const vec3<T>& l, const T& sv) const {
         return sv * l.z + (ndf.projected_area(l) - l.z) * v.z;
+    }
+};
+
+/// Masking and shadowing correlated through the height and the azimuth phi between v and l:
+///   G2 = 1/(1 + max(Lambda_v, Lambda_l) + lambda(phi) min(Lambda_v, Lambda_l)),  lambda = 4.41 phi/(4.41 phi + 1).
+/// lambda: van Ginneken, Stavridi, Koenderink 1998, "Diffuse and Specular Reflectance from Rough Surfaces"; used so by Heitz
+/// 2014. phi = 0 gives min(G1(v), G1(l)): what v sees is lit. phi = pi comes near smith_correlated, from above,
+/// without reaching it: lambda(pi) = 0.9327. At v or l = n the azimuth does not matter, since its Lambda is 0.
+/// den = max(sv cos_l, sl cos_v) + lambda min((sv - cos_v) cos_l, (sl - cos_l) cos_v)
+/// v, l unit, above the horizon. Calls `atan2`, so a loop vectorises only where there is a vector atan2. Error: 6 ULP.
+struct smith_direction_correlated : masking_functions<smith_direction_correlated> {
+    using masking_functions::denominator;
+    template <distribution N, class T = typename N::scalar>
+    constexpr T denominator(const N& ndf, const vec3<T>& v, const vec3<T>& l, const T& sv) const {
+        using std::atan2;
+        const T sl = ndf.projected_area(l);
+        const T along = v.x * l.x + v.y * l.y, across = v.x * l.y - v.y * l.x;
+        const auto no_azimuth = along == T(0) && across == T(0);
+        const T phi = atan2(max(across, -across), select(no_azimuth, T(1), along));
+        const T lambda = T(441) * phi / (T(441) * phi + T(100));
+        return max(sv * l.z, sl * v.z) + lambda * min((sv - v.z) * l.z, (sl - l.z) * v.z);
+    }
+};
+
+/// smith_correlated of GGX without its square roots: S(w), which is sqrt(alpha^2 + (1 - alpha^2) cos^2), becomes
+/// alpha + (1 - alpha) cos, so that V = 1/(2 lerp(2 cos_v cos_l, cos_v + cos_l, alpha)). Hammon 2017, "PBR Diffuse Lighting
+/// for GGX+Smith Microsurfaces"; Filament, `V_SmithGGXCorrelatedFast`.
+/// alpha = ndf.width().x: isotropic distributions only, as there is no form for two widths; any of them, but what it
+/// approximates is GGX. 0 < alpha <= 1.
+/// Error against smith_correlated: G2 too dark by up to 0.233, where both cosines are 1.6 alpha and alpha is small; never too
+/// bright; exact at alpha = 1. Rounding: 4 ULP.
+struct smith_hammon : masking_functions<smith_hammon> {
+    using masking_functions::denominator;
+    template <distribution N, class T = typename N::scalar>
+        requires(N::isotropic)
+    constexpr T denominator(const N& ndf, const vec3<T>& v, const vec3<T>& l, const T&) const {
+        const T a = ndf.width().x;
+        return (T(1) - a) * (v.z * l.z) + a * (v.z + l.z) / T(2);
+    }
+
+    /// G2(v, n): Schlick's approximation with k = alpha/2.
+    template <distribution N, class T = typename N::scalar>
+        requires(N::isotropic)
+    constexpr T G1(const N& ndf, const vec3<T>& v) const {
+        const T k = ndf.width().x / T(2);
+        return v.z / (v.z * (T(1) - k) + k);
     }
 };
 

@@ -11,8 +11,12 @@ namespace lobe {
 /// al. 2007, eq. 20. Nothing is divided by a cosine and no half vector is normalised: with s = v + l, D takes s as it
 /// is and v.m = |s|/2.
 /// v, l unit, in tangent space; f, f_cos, pdf are zero unless both are above the horizon. Reciprocal to rounding.
-template <distribution N, masking<N> M, fresnel<typename N::scalar> F, class Sampler = visible_caps>
+/// Sampled where the sampler can draw normals of the distribution.
+template <class N, class M, class F, class Sampler = visible_caps>
 class microfacet : exact_vectors {
+    static_assert(distribution<N>, "the first part of a microfacet BRDF is a distribution of normals");
+    static_assert(masking<M, N>, "the second part is a masking model for that distribution");
+    static_assert(fresnel<F, typename N::scalar>, "the third part is a Fresnel reflectance: a callable of v.m, with average()");
     using T = typename N::scalar;
     using S = decltype(std::declval<const F&>()(std::declval<const T&>()));
 
@@ -24,7 +28,7 @@ public:
 
     constexpr microfacet(const N& distribution_of_normals, const M& masking_model, const F& reflectance, const Sampler& sampling = {})
         : ndf(distribution_of_normals), shadow(masking_model), fresnel_(reflectance), sampler(sampling) {
-        static_assert(samplable_brdf<microfacet>);
+        static_assert(brdf<microfacet>);
     }
 
     constexpr S f(const vec3<T>& v, const vec3<T>& l) const {
@@ -37,30 +41,36 @@ public:
         return fresnel_(h.v_m) * select(above(v, l), ndf.D(h.s) * l.z / (T(4) * shadow.denominator(ndf, v, l)), T(0));
     }
 
-    constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const {
+    constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const
+        requires normal_sampler<Sampler, N>
+    {
         const half h(v + l);
-        return select(above(v, l), ndf.D(h.s) / (T(4) * sampler.area(h.v_m, h.m_z(), ndf.projected_area(v))), T(0));
+        return select(above(v, l), ndf.D(h.s) / (T(4) * sampler.area(ndf, v, h.v_m, h.m_z(), ndf.projected_area(v))), T(0));
     }
 
-    /// f_cos and pdf together, sharing their work: for multiple importance sampling.
-    constexpr evaluation<S, T> evaluate(const vec3<T>& v, const vec3<T>& l) const {
+    /// f_cos and pdf together, sharing their work: for multiple importance sampling. (Inlined by force, as is `sample`: clang
+    /// would call them, and a loop with a call does not vectorise.)
+    [[gnu::always_inline]] constexpr evaluation<S, T> evaluate(const vec3<T>& v, const vec3<T>& l) const
+        requires normal_sampler<Sampler, N>
+    {
         const half h(v + l);
         const T sv = ndf.projected_area(v);
-        const T D = select(above(v, l), ndf.D(h.s) / T(4), T(0));
+        const T D = ndf.D(h.s) / T(4);
         return {fresnel_(h.v_m) * select(above(v, l), D * l.z / shadow.denominator(ndf, v, l, sv), T(0)),
-                select(above(v, l), D / sampler.area(h.v_m, h.m_z(), sv), T(0))};
+                select(above(v, l), D / sampler.area(ndf, v, h.v_m, h.m_z(), sv), T(0))};
     }
 
     /// Domain: v above the horizon, u in [0,1)^2. Fails where the sampled facet reflects v below the horizon.
-    /// (Inlined by force: clang would call it, and a loop with a call does not vectorise.)
-    [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const {
+    [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const
+        requires normal_sampler<Sampler, N>
+    {
         const vec3<T> m = sampler.sample(ndf, v, u);
         const vec3<T> l = reflect(v, m);
         const T v_m = dot(v, m), sv = ndf.projected_area(v);
-        const T area = sampler.area(v_m, m.z, sv);
-        const auto valid = above(v, l) && v_m > T(0);
+        const T area = sampler.area(ndf, v, v_m, m.z, sv);
+        const auto valid = above(v, l);
         return {select(valid, l, vec3<T>{T(0), T(0), T(1)}),
-                fresnel_(v_m) * select(valid, l.z * area / shadow.denominator(ndf, v, l, sv), T(0)),
+                fresnel_(select(valid, min(v_m, T(1)), T(1))) * select(valid, l.z * area / shadow.denominator(ndf, v, l, sv), T(0)),
                 select(valid, ndf.D(m) / (T(4) * area), T(0))};
     }
 
@@ -70,8 +80,8 @@ private:
     /// The half vector as v + l.
     struct half {
         vec3<T> s;
-        T v_m;  // v.m = |s|/2
-        constexpr explicit half(const vec3<T>& sum) : s(sum), v_m(length(sum) / T(2)) {}
+        T v_m;  // v.m = |s|/2, which rounding may take above 1
+        constexpr explicit half(const vec3<T>& sum) : s(sum), v_m(min(length(sum) / T(2), T(1))) {}
         constexpr T m_z() const { return s.z / (T(2) * v_m); }
     };
 

@@ -25,6 +25,12 @@ public:
     constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const { return b.f_cos(v, l) * w; }
     constexpr vec2<T> width() const { return b.width(); }
 
+    template <class G>
+        requires requires(const B& parts, const G& g) { parts.for_each_lobe(g); }
+    constexpr void for_each_lobe(const G& g) const {
+        b.for_each_lobe([&](const auto& lobe) { g(weighted<std::decay_t<decltype(lobe)>>{w, lobe}); });
+    }
+
 private:
     T w;
     B b;

@@ -14,26 +14,26 @@ struct frame {
 
     /// Any azimuth: Duff et al. 2017, "Building an Orthonormal Basis, Revisited", listing 3.
     /// Domain: every unit normal, (0,0,-1) included. Error: orthonormal to 4 ULP of 1.
-    constexpr explicit frame(const vec3<T>& normal) : n(normal) {
-        const T sign = select(n.z < T(0), T(-1), T(1));
-        const T p = T(-1) / (sign + n.z);
-        const T q = n.x * n.y * p;
-        t = {T(1) + sign * n.x * n.x * p, sign * q, -sign * n.x};
-        b = {q, sign + n.y * n.y * p, -n.y};
-    }
+    constexpr explicit frame(const vec3<T>& normal) : frame(normal, select(normal.z < T(0), T(-1), T(1))) {}
 
-    /// The azimuth of `tangent`, of any length: its part along the normal is removed (Gram-Schmidt, done twice because
+    /// The azimuth of `tangent`, which need not be unit: its part along the normal is removed (Gram-Schmidt, done twice because
     /// once loses orthogonality in proportion to 1/sin of the angle between the two).
     /// Precondition: `tangent` is not parallel to the normal. Error: orthonormal to 4 ULP of 1.
-    constexpr frame(const vec3<T>& normal, const vec3<T>& tangent) : n(normal) {
+    constexpr frame(const vec3<T>& normal, const vec3<T>& tangent)
+        : t(across(normal, across(normal, tangent))), b(cross(normal, t)), n(normal) {
         assert(all(dot(cross(normal, tangent), cross(normal, tangent)) > T(0)));
-        t = normalize(tangent - dot(tangent, n) * n);
-        t = normalize(t - dot(t, n) * n);
-        b = cross(n, t);
     }
 
     constexpr vec3<T> to_local(const vec3<T>& w) const { return {dot(w, t), dot(w, b), dot(w, n)}; }
     constexpr vec3<T> to_world(const vec3<T>& w) const { return w.x * t + w.y * b + w.z * n; }
+
+private:
+    /// Duff et al.'s formula, given the sign of n.z.
+    constexpr frame(const vec3<T>& normal, const T& sign) : frame(normal, sign, T(-1) / (sign + normal.z)) {}
+    constexpr frame(const vec3<T>& m, const T& sign, const T& p)
+        : t(T(1) + sign * m.x * m.x * p, sign * m.x * m.y * p, -sign * m.x), b(m.x * m.y * p, sign + m.y * m.y * p, -m.y), n(m) {}
+
+    static constexpr vec3<T> across(const vec3<T>& normal, const vec3<T>& w) { return normalize(w - dot(w, normal) * normal); }
 };
 
 /// Bends a view direction that a normal map or an interpolated normal put below the shading horizon: the direction of
@@ -44,8 +44,9 @@ template <scalar T>
 constexpr vec3<T> bend_above_horizon(const vec3<T>& v, const T& min_cosine) {
     using std::sqrt;
     const T sine2 = v.x * v.x + v.y * v.y;
-    const T scale = sqrt((T(1) - min_cosine) * (T(1) + min_cosine) / select(sine2 > T(0), sine2, T(1)));
-    const vec3<T> bent{select(sine2 > T(0), v.x, T(1)) * scale, v.y * scale, min_cosine};
+    const auto has_azimuth = sine2 > T(1e-30f);  // house: below it the square has lost its digits, and v points straight down
+    const T scale = sqrt((T(1) - min_cosine) * (T(1) + min_cosine) / select(has_azimuth, sine2, T(1)));
+    const vec3<T> bent{select(has_azimuth, v.x, T(1)) * scale, select(has_azimuth, v.y, T(0)) * scale, min_cosine};
     return select(v.z < min_cosine, bent, v);
 }
 

@@ -47,7 +47,8 @@ private:
 };
 
 /// The widths of an anisotropic distribution along the tangent and the bitangent.
-/// Precondition: both > 0.
+/// Precondition: both > 0. The makers below take the artists' roughness r in [0,1] and a degree of anisotropy, 0 for none; r = 0 and
+/// the far end of two of the degrees mean a width of 0, so each comes with a floor as well, for parameters from textures.
 template <scalar T>
 class alpha_xy {
 public:
@@ -58,6 +59,25 @@ public:
         assert(all(ax > T(0)));
         assert(all(ay > T(0)));
     }
+
+    static constexpr alpha_xy at_least(const T& along_x, const T& along_y, const T& floor) {
+        return alpha_xy(max(along_x, floor), max(along_y, floor));
+    }
+
+    /// x = r^2/aspect, y = r^2 aspect, aspect = sqrt(1 - 0.9 a), a in [0,1]: x y = r^4, x/y at most 10.
+    /// Burley 2012, "Physically-Based Shading at Disney", section 5.4. Error: 5 ULP.
+    static constexpr alpha_xy from_disney(const T& r, const T& a) { return alpha_xy(disney(r, a)); }
+    static constexpr alpha_xy from_disney(const T& r, const T& a, const T& floor) { return at_least(disney(r, a), floor); }
+
+    /// x = r^2 (1 + k), y = r^2 (1 - k), k in [-1,1]: x + y = 2 r^2; needs a floor at k = +-1, which have a width of 0.
+    /// Kulla & Conty 2017, "Revisiting Physically Based Shading at Imageworks". Error: 2 ULP.
+    static constexpr alpha_xy from_imageworks(const T& r, const T& k) { return alpha_xy(imageworks(r, k)); }
+    static constexpr alpha_xy from_imageworks(const T& r, const T& k, const T& floor) { return at_least(imageworks(r, k), floor); }
+
+    /// x = r^2 sqrt(2/(1 + (1-a)^2)), y = (1-a) x, a in [0,1]: x^2 + y^2 = 2 r^4; needs a floor at a = 1, which has a width of 0.
+    /// OpenPBR 1.1 (2024), "Microfacet model". Error: 4 ULP.
+    static constexpr alpha_xy from_openpbr(const T& r, const T& a) { return alpha_xy(openpbr(r, a)); }
+    static constexpr alpha_xy from_openpbr(const T& r, const T& a, const T& floor) { return at_least(openpbr(r, a), floor); }
 
     constexpr T x() const { return ax; }
     constexpr T y() const { return ay; }
@@ -73,6 +93,26 @@ public:
     }
 
 private:
+    constexpr explicit alpha_xy(const vec2<T>& widths) : alpha_xy(widths.x, widths.y) {}
+    static constexpr alpha_xy at_least(const vec2<T>& widths, const T& floor) { return at_least(widths.x, widths.y, floor); }
+
+    static constexpr vec2<T> disney(const T& r, const T& a) {
+        using std::sqrt;
+        assert(all(a >= T(0)) && all(a <= T(1)));
+        const T aspect = sqrt(T(1) - T(9) / T(10) * a);
+        return {r * r / aspect, r * r * aspect};
+    }
+    static constexpr vec2<T> imageworks(const T& r, const T& k) {
+        assert(all(k >= T(-1)) && all(k <= T(1)));
+        return {r * r * (T(1) + k), r * r * (T(1) - k)};
+    }
+    static constexpr vec2<T> openpbr(const T& r, const T& a) {
+        using std::sqrt;
+        assert(all(a >= T(0)) && all(a <= T(1)));
+        const T narrow = T(1) - a, x = r * r * sqrt(T(2) / (T(1) + narrow * narrow));
+        return {x, narrow * x};
+    }
+
     T ax, ay;
 };
 

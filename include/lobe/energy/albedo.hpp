@@ -42,7 +42,10 @@ vec3<T> view_at(const T& mu) {
 /// E(v) = int f(v,l) cos(theta_l) dl over the hemisphere: the light reflected from v's direction, and by reciprocity the
 /// radiance towards v in a white furnace. Any BRDF, isotropic or not; the lobes of a composition are integrated
 /// separately, each on its own width.
-/// Domain: unit v above the horizon. Scalar types only. Error: returned; GGX, Beckmann, Lambert reach 1e-6 in 2048 evaluations a lobe.
+/// Domain: unit v above the horizon. Scalar types only.
+/// Error: estimated with the value. Isotropic GGX in double, alpha and mu in [0.001,1]: 2e-5 at order 16 (512 evaluations of a
+/// lobe), 1e-7 at order 32 (2048). Anisotropic, widths up to 1000 apart: 5e-5 at order 32 (4096), 5e-6 at 64. Diffuse models with a
+/// crease (Oren-Nayar and its relatives): 1e-4 at order 32. A BRDF in float sees l rounded, which is worth 6e-8/(alpha mu).
 template <brdf B>
 auto directional_albedo(const B& b, const vec3<typename B::scalar>& v, const quadrature& options = {}) {
     return detail::directional_albedo(b, v, false, options);
@@ -65,6 +68,7 @@ auto average_albedo(const B& b, const quadrature& options = {}) {
     using S = typename B::spectrum;
     using W = detail::wide_t<T>;
     using WS = detail::wide_t<S>;
+    assert(options.order == 0 || options.order >= 2);
     int evaluations = 0;
     const auto at_order = [&](int order) {
         const detail::gauss_legendre<W> rule(order);
@@ -83,14 +87,14 @@ auto average_albedo(const B& b, const quadrature& options = {}) {
     };
     int order = options.order ? options.order / 2 : 8;
     WS value = at_order(order);
-    W error(0);
+    detail::agreement<W> error;
     do {
         const WS coarse = value;
         order = options.order ? options.order : 2 * order;
         value = at_order(order);
-        error = detail::difference(value, coarse);
-    } while (!options.order && error > W(options.tolerance) && order < 128);
-    return estimate<S, T>{S(value), T(error), evaluations};
+        error.add(detail::difference(value, coarse));
+    } while (!options.order && !error.within(W(options.tolerance)) && order < 128);
+    return estimate<S, T>{S(value), T(error.size), evaluations};
 }
 
 }  // namespace lobe

@@ -53,13 +53,14 @@ struct dfg_axes {
 }  // namespace detail
 
 /// scale and bias of isotropic GGX, read from a node-centred table; the type remembers the masking that it was baked for.
-/// Domain: mu = cos(theta_v) in [0,1], alpha in (0,1]; beyond it the edge answers. Scalar types only.
+/// Domain: cosine = cos(theta_v) in [0,1], alpha in (0,1]; beyond it the edge answers. Scalar types only.
 /// Error against `dfg_exact`, 32 x 32: scale and bias 3.5e-3 at most, 8e-4 rms; E = scale + bias 1.5e-3, 4e-4 rms.
 template <scalar T, class Masking>
 class dfg_table {
 public:
-    dfg_terms<T> operator()(const T& mu, const alpha<T>& a) const {
+    dfg_terms<T> operator()(const T& cosine, const alpha<T>& a) const {
         using std::sqrt;
+        const T mu = max(T(0), cosine);  // in this order, which takes a NaN to 0
         const T r = sqrt(a.value()), row = sqrt(r);
         const T E = albedo(detail::dfg_axes<T>::column(mu, r), row);
         const T A = min(scale(sqrt(sqrt(mu)), row), E);

@@ -44,8 +44,10 @@ public:
         vec3<T> w = -v;
         S weight(T(1));
         for (int order = 0; order < 1000; ++order) {
-            log_height += -log(T(1) - T(uniform())) / ndf.lambda(w);
-            if (w.z > T(0) && !(log_height < T(0))) return {w, weight, order};
+            const T lambda = ndf.lambda(w);
+            const T depth = -log(T(1) - T(uniform()));
+            if (w.z > T(0) && log_height * lambda + depth >= T(0)) return {w, weight, order};
+            log_height += depth / lambda;
             const vec2<T> u = order == 0 ? first : vec2<T>{T(uniform()), T(uniform())};
             const vec3<T> m = ndf.sample_visible(-w, u);
             const T cosine = -dot(w, m);

@@ -1,40 +1,19 @@
 // Schlick's approximation, and the perfect reflector.
 #pragma once
 
-#include <lobe/core/vector.hpp>
+#include <lobe/core/spectrum.hpp>
 
 #include <cassert>
 
 namespace lobe {
 
-namespace detail {
-
-template <scalar T>
-constexpr bool in_unit_interval(const T& x) {
-    return all(x >= T(0)) && all(x <= T(1));
-}
-template <scalar T>
-constexpr bool in_unit_interval(const vec3<T>& x) {
-    return in_unit_interval(x.x) && in_unit_interval(x.y) && in_unit_interval(x.z);
-}
-template <class S>
-constexpr bool in_unit_interval(const S&) {
-    return true;  // a spectrum of the user's own
-}
-
-}  // namespace detail
-
 /// A reflectance of 1 that takes no room: F90 of almost everything.
 struct unit {
-    template <class S>
-    static constexpr S as() {
-        return S(1);
-    }
 };
 
 /// F(u) = F0 + (F90 - F0) (1 - u)^5, u = v.h. Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering", eq. 15.
 /// S is the spectrum: one number, vec3 (linear rgb) or any type with S(T), + - * and S*T. F0, F90 in [0,1]; u in [0,1].
-/// Error against Fresnel's equations: up to 0.06 for dielectrics (near u = 0.1), 0.18 for iron's green; rounding: 8 ULP.
+/// Error against Fresnel's equations: up to 0.06 for dielectrics (near u = 0.1), 0.18 for iron's green; rounding: 8 ULP where F90 >= F0.
 template <class S, class F90 = unit>
 class schlick {
 public:
@@ -52,8 +31,8 @@ public:
 
     /// 2 int_0^1 F(u) u du = (20 F0 + F90)/21.
     constexpr S average() const {
-        using T = lane_t<S>;
-        return (f0 * T(20) + grazing()) / T(21);
+        using T = detail::component_t<S>;
+        return f0 * (T(20) / T(21)) + grazing() * (T(1) / T(21));
     }
 
     constexpr S F0() const { return f0; }
@@ -61,7 +40,7 @@ public:
 private:
     constexpr S grazing() const {
         if constexpr (std::same_as<F90, unit>)
-            return S(1);
+            return S(detail::component_t<S>(1));
         else
             return f90;
     }

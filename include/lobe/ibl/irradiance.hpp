@@ -2,11 +2,12 @@
 #pragma once
 
 #include <lobe/core/frame.hpp>
+#include <lobe/core/spectrum.hpp>
 #include <lobe/ibl/latlong.hpp>
 #include <lobe/sampling/points.hpp>
 #include <lobe/sampling/warp.hpp>
 
-#include <concepts>
+#include <cassert>
 #include <type_traits>
 
 namespace lobe {
@@ -14,21 +15,24 @@ namespace lobe {
 /// Irradiance/pi at the normal n: the mean radiance over the hemisphere, weighted with the cosine, which is what a white
 /// Lambertian surface sends back, and what irradiance maps store. Multiply by pi for the irradiance.
 /// `environment`: any callable from a unit world direction to a radiance. n: unit, world space.
-/// Error: that of `count` cosine-distributed Hammersley points; none for a constant environment.
+/// Error: that of `count` >= 1 cosine-distributed Hammersley points; none for a constant environment.
 template <scalar T, class Environment>
 auto irradiance(const Environment& environment, const vec3<T>& n, std::uint32_t count) {
     using S = std::decay_t<decltype(environment(n))>;
+    using WS = detail::wide_t<S>;
+    using W = detail::wide_t<T>;
+    assert(count > 0);
     const frame<T> at(n);
-    S total(T(0));
+    WS total(W(0));
     for (std::uint32_t i = 0; i < count; ++i)
-        total = total + environment(at.to_world(square_to_cosine_hemisphere(hammersley<T>(i, count))));
-    return total * (T(1) / T(count));
+        total = total + WS(environment(at.to_world(square_to_cosine_hemisphere(hammersley<T>(i, count)))));
+    return S(total * (W(1) / W(count)));
 }
 
 /// The same from every texel of a lat-long image, with its solid angle: no sun is missed. Cost: width x height a normal.
 template <scalar T>
 vec3<T> irradiance(const latlong<T>& environment, const vec3<T>& n) {
-    using W = std::conditional_t<std::same_as<T, float>, double, T>;
+    using W = detail::wide_t<T>;
     vec3<W> total(W(0));
     W weights(0);
     for (int row = 0; row < environment.height; ++row) {

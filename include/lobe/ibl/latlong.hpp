@@ -48,7 +48,7 @@ class latlong_pyramid {
 public:
     explicit latlong_pyramid(latlong<T> base) {
         levels.push_back(std::move(base));
-        while (levels.back().width % 2 == 0 && levels.back().height % 2 == 0 && levels.back().height > 2)
+        while (levels.back().height > 2 && levels.back().width > 2)
             levels.push_back(halved(levels.back()));
     }
 
@@ -70,18 +70,28 @@ public:
     std::size_t size() const { return levels.size(); }
 
 private:
+    /// Half the size, odd ones rounded down: each texel is the mean over what it covers, in fractions of the finer ones.
     static latlong<T> halved(const latlong<T>& fine) {
         const int width = fine.width / 2, height = fine.height / 2;
+        const T wide = static_cast<T>(fine.width) / static_cast<T>(width), high = static_cast<T>(fine.height) / static_cast<T>(height);
         std::vector<vec3<T>> pixels;
         pixels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-        for (int y = 0; y < height; ++y) {
-            const T top = latlong_texel_solid_angle<T>(2 * y, fine.width, fine.height);
-            const T bottom = latlong_texel_solid_angle<T>(2 * y + 1, fine.width, fine.height);
-            for (int x = 0; x < width; ++x)
-                pixels.push_back(((fine.at(2 * x, 2 * y) + fine.at(2 * x + 1, 2 * y)) * top +
-                                  (fine.at(2 * x, 2 * y + 1) + fine.at(2 * x + 1, 2 * y + 1)) * bottom) /
-                                 (T(2) * (top + bottom)));
-        }
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const T left = static_cast<T>(x) * wide, right = left + wide, top = static_cast<T>(y) * high, bottom = top + high;
+                vec3<T> total(T(0));
+                T weights(0);
+                for (int row = static_cast<int>(top); row < fine.height && static_cast<T>(row) < bottom; ++row)
+                    for (int column = static_cast<int>(left); column < fine.width && static_cast<T>(column) < right; ++column) {
+                        const T from = max(static_cast<T>(row), top), to = min(static_cast<T>(row + 1), bottom);
+                        const T across = min(static_cast<T>(column + 1), right) - max(static_cast<T>(column), left);
+                        const T turn = T(0.25) / static_cast<T>(fine.height);  // cos theta(from) - cos theta(to), as a product
+                        const T weight = across * sincos_2pi((from + to) * turn).sin * sincos_2pi((to - from) * turn).sin;
+                        total += fine.at(column, row) * weight;
+                        weights += weight;
+                    }
+                pixels.push_back(total / weights);
+            }
         return {width, height, std::move(pixels)};
     }
 

@@ -12,9 +12,10 @@ namespace lobe {
 ///   normal   = normalize(stretch(normal of width 1))   visible normal: the same, seen from normalize(stretch v)
 ///
 /// A `Profile` says what its surface of width 1 does:
-/// - `D(m)` of any positive multiple of m; `projected_area(w)`, homogeneous: the area seen from w/|w|, times |w|;
+/// - `D(m)` of any positive multiple of m, or `D(m, width)` of the stretched surface where that rounds less;
+/// - `projected_area(w)`, homogeneous: the area seen from w/|w|, times |w|;
 /// - `lambda(w)` of any positive multiple of w;
-/// - `sample(u)` and `sample_visible(v, u)` (unit v): any positive multiple of the normal.
+/// - `sample(u)` and, where it can, `sample_visible(v, u)` (unit v): any positive multiple of the normal.
 template <class Profile, class Width>
 class stretched {
     using T = typename Width::scalar;
@@ -27,7 +28,10 @@ public:
 
     /// 1/sr; zero below the horizon, the limit from above at it. Any positive multiple of m.
     constexpr T D(const vec3<T>& m) const {
-        return select(m.z < T(0), T(0), profile.D(size.unstretch(m)) * size.density_ratio(m));
+        if constexpr (requires { profile.D(m, size); })
+            return select(m.z < T(0), T(0), profile.D(m, size));
+        else
+            return select(m.z < T(0), T(0), profile.D(size.unstretch(m)) * size.density_ratio(m));
     }
 
     /// Unit w, anywhere on the sphere.
@@ -44,7 +48,9 @@ public:
 
     /// A normal seen from v, with density max(0, v.m) D(m) / projected_area(v); unit v, also below the horizon, where the
     /// random walk looks up through the surface; u in [0,1)^2.
-    constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const {
+    constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const
+        requires(requires(const Profile p) { p.sample_visible(v, u); })
+    {
         return normalize(size.stretch(profile.sample_visible(normalize(size.stretch(v)), u)));
     }
     constexpr T pdf_visible(const vec3<T>& v, const vec3<T>& m) const {
@@ -55,12 +61,15 @@ private:
     [[no_unique_address]] Profile profile;
     Width size;
 
-    static_assert(requires(const Profile p, const vec3<T> w, const vec2<T> u) {
+    static_assert(requires(const Profile p, const vec3<T> w, const Width a) {
+        { p.D(w, a) } -> std::same_as<T>;
+    } || requires(const Profile p, const vec3<T> w) {
         { p.D(w) } -> std::same_as<T>;
+    });
+    static_assert(requires(const Profile p, const vec3<T> w, const vec2<T> u) {
         { p.projected_area(w) } -> std::same_as<T>;
         { p.lambda(w) } -> std::same_as<T>;
         { p.sample(u) } -> std::same_as<vec3<T>>;
-        { p.sample_visible(w, u) } -> std::same_as<vec3<T>>;
     });
 };
 

@@ -1,0 +1,84 @@
+// What spectra share: the number that one consists of, a formula for one wavelength applied to each, a range check.
+#pragma once
+
+#include <lobe/core/vector.hpp>
+
+#include <limits>
+
+namespace lobe::detail {
+
+template <class S>
+struct component {
+    using type = double;
+};
+template <scalar S>
+struct component<S> {
+    using type = S;
+};
+template <class S>
+    requires(!scalar<S> && requires { typename S::value_type; })
+struct component<S> {
+    using type = typename S::value_type;
+};
+
+/// The number that a spectrum consists of: T for T and for vec3<T>, `value_type` of a type of the user's own, else double.
+template <class S>
+using component_t = typename component<S>::type;
+
+template <class F, scalar T, std::same_as<T>... More>
+constexpr T by_component(const F& f, const T& a, const More&... more) {
+    return f(a, more...);
+}
+template <class F, scalar T, std::same_as<vec3<T>>... More>
+constexpr vec3<T> by_component(const F& f, const vec3<T>& a, const More&... more) {
+    return {f(a.x, more.x...), f(a.y, more.y...), f(a.z, more.z...)};
+}
+
+template <class P, scalar T>
+constexpr bool every(const P& holds, const T& a) {
+    return all(holds(a));
+}
+template <class P, scalar T>
+constexpr bool every(const P& holds, const vec3<T>& a) {
+    return all(holds(a.x)) && all(holds(a.y)) && all(holds(a.z));
+}
+
+/// Is every component in [0,1]? A type of the user's own is taken at its word.
+template <class S>
+constexpr bool in_unit_interval(const S& s) {
+    if constexpr (requires { every([](const auto& x) { return x >= x; }, s); })
+        return every([]<class T>(const T& x) { return x >= T(0) && x <= T(1); }, s);
+    else
+        return true;
+}
+
+/// What sums over many samples are kept in: double at least.
+template <class T>
+struct wide {
+    using type = T;
+};
+template <>
+struct wide<float> {
+    using type = double;
+};
+template <int N>
+struct wide<glm::vec<N, float, glm::defaultp>> {
+    using type = glm::vec<N, double, glm::defaultp>;
+};
+template <class T>
+using wide_t = typename wide<T>::type;
+
+/// A constant that is known to the precision of double.
+template <class T>
+constexpr T constant(double x) {
+    return T(static_cast<lane_t<T>>(x));
+}
+
+/// Bits of precision; those of double for types that do not say.
+template <class T>
+constexpr int digits() {
+    using limits = std::numeric_limits<lane_t<T>>;
+    return limits::is_specialized ? limits::digits : 53;
+}
+
+}  // namespace lobe::detail
