@@ -1,0 +1,75 @@
+// Fresnel's equations between two transparent media, unpolarised, and Walsh's average.
+#pragma once
+
+#include <lobe/fresnel/ior.hpp>
+
+namespace lobe {
+
+/// With c = v.h, s^2 = 1 - c^2 and g = sqrt(eta^2 - s^2):
+///   Rs = ((g - c)/(g + c))^2,  Rp = Rs ((g c - s^2)/(g c + s^2))^2,  F = (Rs + Rp)/2,  and F = 1 where g is not real.
+/// Cook & Torrance 1982 and Walter et al. 2007, eq. 22, with (g - c)/(g + c) = e/(e + 2 c (g + c)), e = eta^2 - 1:
+/// nothing cancels near eta = 1, and towards grazing it is 1 - 2 c/g, whatever the rounding of c/g.
+/// eta: index on the far side over that on the side of v (> 1 from air into glass, < 1 from inside: total internal
+/// reflection), one number or vec3 (dispersion). Domain: eta > 0, finite; c in [0,1].
+/// Error: 8 ULP for eta in [0.3,10]; near the critical angle as much again as rounding c and eta does.
+template <class S>
+class dielectric {
+    using T = detail::component_t<S>;
+
+public:
+    using scalar = T;
+    using spectrum = S;
+
+    constexpr explicit dielectric(const S& relative_index) : eta(relative_index) {
+        assert(detail::every([](const T& x) { return x > T(0); }, eta));
+    }
+
+    template <std::same_as<T> U>
+    constexpr S operator()(const U& c) const {
+        return detail::by_component([&](const T& n) { return reflectance(n, c); }, eta);
+    }
+
+    /// 2 int_0^1 F(u) u du in closed form. Walsh 1926, "The reflection factor of a polished glass surface for diffused light".
+    /// Error: 12 ULP for every eta, from inside 3.
+    constexpr S average() const {
+        return detail::by_component([](const T& n) { return average_reflectance(n); }, eta);
+    }
+
+    constexpr S F0() const { return f0_from_ior(eta); }
+    constexpr S relative_index() const { return eta; }
+
+private:
+    static constexpr T reflectance(const T& n, const T& c) {
+        using std::sqrt;
+        const T e = (n - T(1)) * (n + T(1)), s2 = (T(1) - c) * (T(1) + c);
+        const T g2 = e + c * c;
+        const T g = sqrt(select(g2 > T(0), g2, T(1)));
+        const T rs = e / (e + T(2) * c * (g + c));
+        const T p = (g * c - s2) / (g * c + s2);
+        return select(g2 > T(0), rs * rs * (T(1) + p * p) / T(2), T(1));
+    }
+
+    /// Walsh's equation has poles at n = 1 that cancel. Written in x = |n - 1|/(n + 1) they cancel by algebra, and what is
+    /// left of ln n = 2 atanh x is a(x) = (atanh x - x)/x^3 = 1/3 + x^2/5 + x^4/7 + ...:
+    ///   F_avg = x/(12 (1+x^2)^3) [ Q(x) + 3 (1+x)^4 (1-x)^2 (1 + 6 x^2 + x^4) a(x) + 24 x (1+x)^2 ln x ]
+    ///   Q(x) = 7 + 44 x - 24 x^3 + 6 x^4 + 36 x^5 + 16 x^6 + 8 x^7 + 3 x^8
+    /// From inside, F_avg(n) = 1 - n^2 (1 - F_avg(1/n)).
+    static constexpr T average_reflectance(const T& n) {
+        using std::log;
+        const auto inside = n < T(1);
+        const T x = select(inside, T(1) - n, n - T(1)) / (n + T(1));
+        const T x2 = x * x;
+        T series(0);  // for x < 1/2, where a term has 2 bits
+        for (int k = detail::digits<T>() / 2 + 1; k >= 0; --k) series = T(1) / detail::constant<T>(2 * k + 3) + x2 * series;
+        const T a = select(x2 < T(1) / T(4), series, (log(select(inside, T(1) / n, n)) / T(2) - x) / (x2 * x));
+        const T h = T(1) + x2, up = (T(1) + x) * (T(1) + x), down = (T(1) - x) * (T(1) - x);
+        const T Q = T(7) + x * (T(44) + x2 * (T(-24) + x * (T(6) + x * (T(36) + x * (T(16) + x * (T(8) + x * T(3)))))));
+        const T bracket = Q + T(3) * up * up * down * (T(1) + x2 * (T(6) + x2)) * a + T(24) * x * up * log(select(x > T(0), x, T(1)));
+        const T outside = x / (T(12) * h * h * h) * bracket;
+        return select(inside, (T(1) - n) * (T(1) + n) + n * n * outside, outside);
+    }
+
+    S eta;
+};
+
+}  // namespace lobe

@@ -1,0 +1,120 @@
+// Fresnel's equations in complex arithmetic on 50 digits, and Walsh's average as it is printed: what rounding does to float and
+// double over the whole domain.
+#include "../catch.hpp"
+#include "../support.hpp"
+
+#include <lobe/fresnel/conductor.hpp>
+#include <lobe/fresnel/dielectric.hpp>
+#include <lobe/fresnel/f82_tint.hpp>
+#include <lobe/fresnel/ior.hpp>
+#include <lobe/fresnel/schlick_gaussian.hpp>
+#include <lobe/fresnel/schlick_roughness.hpp>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/cpp_complex.hpp>
+
+using digits50 = boost::multiprecision::cpp_bin_float_50;
+using complex50 = boost::multiprecision::cpp_complex_50;
+
+namespace {
+
+template <class T>
+double ulps(const T& value, const digits50& truth) {
+    int exponent = 0;
+    std::frexp(static_cast<double>(truth), &exponent);
+    return static_cast<double>(abs(digits50(value) - truth) / digits50(std::ldexp(1.0, exponent - std::numeric_limits<T>::digits)));
+}
+
+digits50 printed_fresnel(const digits50& eta, const digits50& k, const digits50& c) {
+    const complex50 n(eta, k), cos_t = sqrt(complex50(1) - complex50(1 - c * c) / (n * n));
+    return (norm((c - n * cos_t) / (c + n * cos_t)) + norm((n * c - cos_t) / (n * c + cos_t))).real() / 2;
+}
+
+/// What a relative change of c, eta or k does to F, relatively: sum of |x dF/dx| / F.
+digits50 conditioning(const digits50& eta, const digits50& k, const digits50& c) {
+    const digits50 F = printed_fresnel(eta, k, c), h("1e-20"), up = 1 + h;
+    return (abs(printed_fresnel(eta * up, k, c) - F) + abs(printed_fresnel(eta, k * up, c) - F) +
+            abs(printed_fresnel(eta, k, c * (1 - h)) - F)) / (h * F);
+}
+
+digits50 printed_walsh(const digits50& n) {
+    if (n < 1) return 1 - n * n * (1 - printed_walsh(1 / n));
+    const digits50 n2 = n * n, n4 = n2 * n2, p = n2 + 1, m = n4 - 1, d = n2 - 1;
+    return digits50(1) / 2 + (n - 1) * (3 * n + 1) / (6 * (n + 1) * (n + 1)) + n2 * d * d / (p * p * p) * log((n - 1) / (n + 1)) -
+           2 * n * n2 * (n2 + 2 * n - 1) / (p * m) + 8 * n4 * (n4 + 1) / (p * m * m) * log(n);
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("Fresnel's equations against complex arithmetic on 50 digits", "[fresnel]", float, double) {
+    using T = TestType;
+    random_numbers random(1);
+    double insulators = 0, metals = 0, weak = 0, worst_conditioning = 0;
+    for (int i = 0; i < 6000; ++i) {
+        const T c = static_cast<T>(i % 2 ? random() : random.log_between(1e-6, 1));
+        const T eta = static_cast<T>(random.log_between(0.3, 10)), k = static_cast<T>(random.log_between(0.5, 10));
+        const T little = static_cast<T>(random.log_between(1e-6, 0.5));
+        const auto compare = [&](const T& value, const T& extinction) {
+            const double condition = static_cast<double>(conditioning(eta, extinction, c));
+            worst_conditioning = std::max(worst_conditioning, condition);
+            // inputs off by half an ULP make F off by condition/2 to condition ULP: the formula may cost that much beside its 8
+            return ulps(value, printed_fresnel(eta, extinction, c)) / (8 + condition);
+        };
+        insulators = std::max(insulators, compare(lobe::dielectric{eta}(c), T(0)));
+        metals = std::max(metals, compare(lobe::conductor{eta, k}(c), k));
+        weak = std::max(weak, compare(lobe::conductor{eta, little}(c), little));
+    }
+    INFO("dielectric " << insulators << ", conductor " << metals << ", weak absorber " << weak << "; conditioning " << worst_conditioning);
+    CHECK(insulators <= 1);
+    CHECK(metals <= 1);
+    CHECK(weak <= 1);
+}
+
+TEMPLATE_TEST_CASE("the averages against Walsh's printed equation, and the conductor's own on 50 digits", "[fresnel]", float, double) {
+    using T = TestType;
+    random_numbers random(2);
+    double walsh = 0, metals = 0, tint = 0, gaussian = 0, rough = 0, f0 = 0, ior = 0;
+    for (int i = 0; i < 2000; ++i) {
+        // from 1 + 1e-5, where the printed form still has 50 - 20 digits, to 1e4, and the inverses
+        const double d = random.log_between(1e-5, 1e4);
+        const T n = static_cast<T>(i % 2 ? 1 + d : 1 / (1 + d));
+        if (n == T(1)) continue;
+        walsh = std::max(walsh, ulps(lobe::dielectric{n}.average(), printed_walsh(digits50(n))));
+        const digits50 amplitude = (digits50(n) - 1) / (digits50(n) + 1);
+        f0 = std::max(f0, ulps(lobe::f0_from_ior(n), digits50(amplitude * amplitude)));
+
+        const T F0 = static_cast<T>(random()), t = static_cast<T>(random.between(0.52, 1)), u = static_cast<T>(random());
+        const digits50 root = sqrt(digits50(F0));
+        ior = std::max(ior, ulps(lobe::ior_from_f0(F0), digits50((1 + root) / (1 - root))) * static_cast<double>(1 - root));
+        // b u (1-u)^6 is at most (1 - t) Schlick(1/7), so F is a difference of things no larger than 1
+        const digits50 off = abs(digits50(lobe::f82_tint{F0, t}(u)) - lobe::f82_tint{digits50(F0), digits50(t)}(digits50(u)));
+        tint = std::max(tint, std::ldexp(static_cast<double>(off), std::numeric_limits<T>::digits));
+        gaussian = std::max(gaussian, ulps(lobe::schlick_gaussian{F0}(u), lobe::schlick_gaussian{digits50(F0)}(digits50(u))));
+        rough = std::max(rough, ulps(lobe::schlick_roughness{F0, t}(u), lobe::schlick_roughness{digits50(F0), digits50(t)}(digits50(u))));
+        if (i % 20 == 0) {
+            const T eta = static_cast<T>(random.log_between(0.04, 10)), k = static_cast<T>(random.log_between(0.5, 10));
+            metals = std::max(metals, ulps(lobe::conductor{eta, k}.average(), lobe::conductor{digits50(eta), digits50(k)}.average()));
+        }
+    }
+    INFO("Walsh " << walsh << ", conductor " << metals << ", F82 " << tint << " of 1, Gaussian " << gaussian << ", roughness " << rough
+                  << ", F0 " << f0 << ", index " << ior);
+    CHECK(walsh <= 12);  // the bracket is 3 times smaller than the largest of its terms, which carry 4 ULP each
+    CHECK(metals <= 16);
+    CHECK(tint <= 4);
+    CHECK(gaussian <= 8);
+    CHECK(rough <= 8);
+    CHECK(f0 <= 7);  // three roundings of the quotient, doubled by the square, and one of that
+    CHECK(ior <= 4);
+}
+
+TEST_CASE("fifty digits keep fifty digits", "[fresnel]") {
+    const digits50 eta("1.37"), c("0.3"), k("2.9"), tiny("1e-45");
+    CHECK(abs(lobe::dielectric{eta}(c) - printed_fresnel(eta, 0, c)) < tiny);
+    CHECK(abs(lobe::conductor{eta, k}(c) - printed_fresnel(eta, k, c)) < tiny);
+    for (const char* n : {"0.2", "0.7", "1.1", "1.5", "1.7", "5", "300"})
+        CHECK(abs(lobe::dielectric{digits50(n)}.average() - printed_walsh(digits50(n))) < tiny);
+    CHECK(abs(lobe::conductor{eta, digits50(0)}.average() - lobe::dielectric{eta}.average()) < digits50("1e-15"));  // nodes in double
+    CHECK(abs(lobe::ior_from_f0(lobe::f0_from_ior(eta)) - eta) < tiny);
+    const lobe::vec3<digits50> three{eta, eta, k};
+    CHECK(abs(lobe::conductor{three, three}(c).z - printed_fresnel(k, k, c)) < tiny);
+}
