@@ -6,23 +6,40 @@
 #include <lobe/core/frame.hpp>
 #include <lobe/core/roughness.hpp>
 #include <lobe/core/scalar.hpp>
+#include <lobe/core/spectrum.hpp>
 #include <lobe/core/vector.hpp>
 
 #include <lobe/sampling/points.hpp>
 #include <lobe/sampling/warp.hpp>
 
+#include <lobe/ndf/antialiasing.hpp>
 #include <lobe/ndf/concepts.hpp>
 #include <lobe/ndf/ggx.hpp>
 #include <lobe/ndf/stretched.hpp>
 
+#include <lobe/fresnel/conductor.hpp>
+#include <lobe/fresnel/dielectric.hpp>
+#include <lobe/fresnel/f82_tint.hpp>
+#include <lobe/fresnel/ior.hpp>
+#include <lobe/fresnel/materials.hpp>
 #include <lobe/fresnel/schlick.hpp>
+#include <lobe/fresnel/schlick_gaussian.hpp>
+#include <lobe/fresnel/schlick_roughness.hpp>
 
+#include <lobe/brdf/burley.hpp>
 #include <lobe/brdf/concepts.hpp>
+#include <lobe/brdf/eon.hpp>
+#include <lobe/brdf/ggx_samplers.hpp>
 #include <lobe/brdf/lambert.hpp>
 #include <lobe/brdf/masking.hpp>
 #include <lobe/brdf/microfacet.hpp>
+#include <lobe/brdf/oren_nayar.hpp>
 #include <lobe/brdf/samplers.hpp>
+#include <lobe/brdf/schlick_ggx.hpp>
 #include <lobe/brdf/sum.hpp>
+#include <lobe/brdf/v_cavity.hpp>
+
+#include <lobe/lights/punctual.hpp>
 
 #include <lobe/energy/albedo.hpp>
 #include <lobe/energy/dfg.hpp>
