@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include <lobe/core/roughness.hpp>
+#include <lobe/energy/dfg_table.hpp>
+#include <lobe/ibl/latlong.hpp>
+
+using split_sum_table = lobe::dfg_table<float, lobe::smith_correlated>;
+
+split_sum_table bake_split_sum();
+
+/// An environment and what image-based lighting keeps of it. All maps are lat-long.
+struct baked_light {
+    struct level {
+        float roughness;
+        lobe::alpha<float> alpha;
+        lobe::latlong<float> radiance;  // prefiltered with V = N = R
+    };
+    lobe::latlong_pyramid<float> pyramid;  // level(0) is the environment itself
+    lobe::latlong<float> irradiance;       // divided by pi
+    std::vector<level> levels;             // one for exactly each roughness
+};
+
+/// The mean radiance of a map over the sphere of directions, and over r, g and b.
+float mean_over_directions(const lobe::latlong<float>&);
+
+/// How often the environment can be halved until its texels would be wider than `angle`.
+std::size_t halvings(const lobe::latlong_pyramid<float>&, float angle);
+
+constexpr float diffuse_texel = 0.025f;  // 256 x 128: diffuse light has no details that these would miss
+
+baked_light bake(lobe::latlong<float> environment, const std::vector<float>& roughnesses);

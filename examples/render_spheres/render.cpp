@@ -1,0 +1,194 @@
+#include "render.hpp"
+
+#include "lights.hpp"
+#include "progress.hpp"
+#include "random.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <lobe/lobe.hpp>
+#include <tbb/parallel_for.h>
+
+namespace {
+
+// The camera is far away and looks along +x, at the middle of the map; y is up, z is on its right.
+const vec3 V{-1, 0, 0};
+
+// ---- the three ways to light a point -----------------------------------------------------------------------------------
+
+/// What the reference looks up: the map itself, and the small lights in it.
+struct reference_map {
+    const lobe::latlong<float>& radiance;
+    lights bright;
+
+    explicit reference_map(const lobe::latlong<float>& environment) : radiance(environment), bright(environment) {}
+};
+
+struct surface {
+    const material& m;
+    const baked_light& light;
+    const baked_light::level& level;  // of the surface's roughness
+    const reference_map& map;
+    const split_sum_table& table;
+};
+
+/// (a) The split sum as tutorials have it: F0 scale + bias, over a body that gets 1 - F(n.v).
+vec3 single_scattering(const surface& s, const vec3& n) {
+    const lobe::dfg_terms<float> t = s.table(lobe::dot(n, V), s.level.alpha);
+    const vec3 specular = s.m.f0 * t.scale + t.bias;
+    const vec3 diffuse = s.m.albedo * (1.0f - lobe::schlick{s.m.f0}(lobe::dot(n, V)));
+    return specular * s.level.radiance(lobe::reflect(V, n)) + diffuse * s.light.irradiance(n);
+}
+
+/// (b) The split sum with multiple scattering.
+vec3 multiple_scattering(const surface& s, const vec3& n) {
+    const lobe::dfg_terms<float> t = s.table(lobe::dot(n, V), s.level.alpha);
+    const auto w = lobe::fdez_aguera{}(t, s.m.f0, s.m.albedo);
+    return w.radiance * s.level.radiance(lobe::reflect(V, n)) + w.irradiance * s.light.irradiance(n);
+}
+
+/// (c) One sample of the reference: a random walk on the microsurface that looks up the map itself. Walks of one bounce have
+/// a closed form, smith_correlated, whose density is f_cos of a perfect mirror: so these find small lights by sampling the
+/// lights, too (multiple importance sampling, balance heuristic). What the facets do not reflect enters the body and comes
+/// back without a preferred direction: as irradiance, times the albedo.
+vec3 reference_sample(const surface& s, const lobe::frame<float>& at, const vec3& irradiance, sample_stream& uniform) {
+    const lobe::ggx normals{s.level.alpha};
+    const lobe::schlick fresnel{s.m.f0};
+    const lobe::microfacet brdf{normals, lobe::smith_correlated{}, fresnel};
+    const lobe::microfacet mirror{normals, lobe::smith_correlated{}, lobe::perfect_reflector{}};
+    const vec3 v = at.to_local(V);
+    vec3 radiance{0};
+
+    if (!s.map.bright.empty()) {
+        const float u = uniform(), x = uniform(), y = uniform();
+        const auto light = s.map.bright.sample(u, x, y);
+        const vec3 l = at.to_local(light.direction);
+        radiance = brdf.f_cos(v, l) * s.map.radiance(light.direction) / (light.pdf + mirror.f_cos(v, l));
+    }
+
+    const auto path = lobe::random_walk{normals, fresnel}.sample(v, uniform);
+    const vec3 L = at.to_world(path.l);
+    const float light_pdf = path.order == 1 ? s.map.bright.pdf(L) : 0;
+    const float share = light_pdf > 0 ? 1 - light_pdf / (light_pdf + mirror.f_cos(v, path.l)) : 1;
+    return radiance + share * path.weight * s.map.radiance(L) + s.m.albedo * (1.0f - path.weight) * irradiance;
+}
+
+struct estimate {
+    vec3 mean{0};
+    double squared_error = 0;  // of the mean of the channels
+};
+
+estimate reference(const surface& s, const vec3& n, const vec3& irradiance, int samples, std::uint64_t seed) {
+    const lobe::frame<float> at{n};
+    const int batch_samples = samples / batches;
+    estimate result;
+    double sum = 0, sum_of_squares = 0;
+    for (int b = 0; b < batches; ++b) {
+        sample_stream uniform{mixed_bits(seed) + static_cast<std::uint64_t>(b)};
+        vec3 batch{0};
+        for (int i = 0; i < batch_samples; ++i) {
+            uniform.next_sample();
+            batch += reference_sample(s, at, irradiance, uniform);
+        }
+        batch /= static_cast<float>(batch_samples);
+        result.mean += batch / static_cast<float>(batches);
+        const double energy = mean_of_channels(batch);
+        sum += energy;
+        sum_of_squares += energy * energy;
+    }
+    result.squared_error = std::max(0.0, sum_of_squares - sum * sum / batches) / (batches * (batches - 1.0));
+    return result;
+}
+
+// ---- the sphere in its tile --------------------------------------------------------------------------------------------
+
+struct disc {
+    float radius, centre;
+
+    explicit disc(int tile) : radius(0.46f * static_cast<float>(tile)), centre(0.5f * static_cast<float>(tile) - 0.5f) {}
+
+    float distance(int x, int y) const { return std::hypot(static_cast<float>(x) - centre, static_cast<float>(y) - centre); }
+    /// The part of the pixel that the sphere covers.
+    float coverage(int x, int y) const { return std::clamp(radius - distance(x, y) + 0.5f, 0.0f, 1.0f); }
+    /// The normal under the middle of the pixel; at the rim, where the middle may miss, a grazing one.
+    vec3 normal(int x, int y) const {
+        const float scale = 1 / std::max(radius, 1.0001f * distance(x, y));
+        const float right = (static_cast<float>(x) - centre) * scale, up = (centre - static_cast<float>(y)) * scale;
+        return lobe::normalize(vec3{-std::sqrt(1 - right * right - up * up), up, right});
+    }
+};
+
+/// Fills in the errors of a sphere whose pictures are complete; `squared_error` is that of each pixel of the reference.
+void measure(sphere& s, const std::vector<double>& squared_error, const disc& area) {
+    double pixels = 0, energy = 0, variance = 0, single = 0, multiple = 0;
+    for (int y = 0; y < s.reference.height; ++y)
+        for (int x = 0; x < s.reference.width; ++x) {
+            if (area.coverage(x, y) < 1) continue;
+            const double c = mean_of_channels(s.reference(x, y));
+            const double a = mean_of_channels(s.single(x, y)) - c, b = mean_of_channels(s.multiple(x, y)) - c;
+            single += a;
+            multiple += b;
+            s.single_error.largest = std::max(s.single_error.largest, std::abs(a));
+            s.multiple_error.largest = std::max(s.multiple_error.largest, std::abs(b));
+            energy += c;
+            variance += squared_error[static_cast<std::size_t>(y * s.reference.width + x)];
+            ++pixels;
+        }
+    const double mean = energy / pixels;
+    s.single_error = {single / energy, s.single_error.largest / mean};
+    s.multiple_error = {multiple / energy, s.multiple_error.largest / mean};
+    s.noise = std::sqrt(variance / pixels) / mean;
+}
+
+}  // namespace
+
+std::vector<sphere> render(const material& m, const baked_light& light, const split_sum_table& table, const vec3& background,
+                           const settings& set) {
+    const disc area(set.tile);
+    const auto tile = static_cast<std::size_t>(set.tile);
+    const image blank{set.tile, set.tile};
+    std::vector<sphere> spheres(light.levels.size(), sphere{blank, blank, blank, blank, {}, {}, 0});
+    std::vector<std::vector<double>> squared_errors(spheres.size(), std::vector<double>(tile * tile));
+    step progress("spheres of " + m.name, (spheres.size() + 1) * tile);
+
+    // The reference has its own irradiance: each texel of the map, for each normal.
+    const auto& coarse = light.pyramid.level(halvings(light.pyramid, diffuse_texel));
+    image irradiance = blank;
+    tbb::parallel_for(0, set.tile, [&](int y) {
+        for (int x = 0; x < set.tile && m.albedo != vec3{0}; ++x)
+            if (area.coverage(x, y) > 0) irradiance(x, y) = lobe::irradiance(coarse, area.normal(x, y));
+        progress.advance();
+    });
+
+    const reference_map map(light.pyramid.level(0));
+
+    tbb::parallel_for(std::size_t{0}, spheres.size() * tile, [&](std::size_t row) {
+        const std::size_t column = row / tile;
+        const int y = static_cast<int>(row % tile);
+        const auto& level = light.levels[column];
+        const surface s{m, light, level, map, table};
+        sphere& out = spheres[column];
+        for (int x = 0; x < set.tile; ++x) {
+            const float coverage = area.coverage(x, y);
+            const std::size_t pixel = row * tile + static_cast<std::size_t>(x);  // its seed: the same whatever core it runs on
+            estimate a, b, c;
+            if (coverage > 0) {
+                const vec3 n = area.normal(x, y);
+                a.mean = single_scattering(s, n);
+                b.mean = multiple_scattering(s, n);
+                c = reference(s, n, irradiance(x, y), set.samples, mixed_bits(set.seed) ^ pixel);
+            }
+            out.single(x, y) = mix(background, a.mean, coverage);
+            out.multiple(x, y) = mix(background, b.mean, coverage);
+            out.reference(x, y) = mix(background, c.mean, coverage);
+            out.difference(x, y) = abs(out.multiple(x, y) - out.reference(x, y));
+            squared_errors[column][pixel - column * tile * tile] = c.squared_error;
+        }
+        progress.advance();
+    });
+
+    for (std::size_t i = 0; i < spheres.size(); ++i) measure(spheres[i], squared_errors[i], area);
+    return spheres;
+}
