@@ -265,7 +265,7 @@ template <class B>
 double exact_variance(const B& brdf, const vec3<double>& v) {
     const auto square = [&](const vec3<double>& l) {
         const auto e = brdf.evaluate(v, l);
-        return e.f_cos * e.f_cos / e.pdf;
+        return e.pdf > 0 ? e.f_cos * e.f_cos / e.pdf : 0;  // a node may round to the horizon
     };
     const double albedo = lobe::directional_albedo(brdf, v, {.order = 96}).value;
     return lobe::hemisphere_integral(square, v, brdf.width(), false, {.order = 96}).value - albedo * albedo;

@@ -12,7 +12,7 @@ template <class Model>
 struct masking_functions {
     template <distribution N, class T = typename N::scalar>
     constexpr T denominator(const N& ndf, const vec3<T>& v, const vec3<T>& l) const {
-        return model().denominator(ndf, v, l, ndf.projected_area(v));
+        return model().denominator(ndf, v, l, detail::area_above(ndf, v));
     }
 
     /// V = G2 / (4 cos(theta_v) cos(theta_l)): finite at grazing angles; v and l above the horizon.
@@ -30,7 +30,7 @@ struct masking_functions {
     /// ... that v sees: cos(theta_v) / projected_area(v) = 1/(1 + Lambda(v)). A model whose G1 is not Smith's declares its own.
     template <distribution N, class T = typename N::scalar>
     constexpr T G1(const N& ndf, const vec3<T>& v) const {
-        return v.z / ndf.projected_area(v);
+        return v.z / detail::area_above(ndf, v);
     }
 
 private:
@@ -43,7 +43,7 @@ struct smith_separable : masking_functions<smith_separable> {
     using masking_functions::denominator;
     template <distribution N, class T = typename N::scalar>
     constexpr T denominator(const N& ndf, const vec3<T>&, const vec3<T>& l, const T& sv) const {
-        return sv * ndf.projected_area(l);
+        return sv * detail::area_above(ndf, l);
     }
 };
 
@@ -54,7 +54,7 @@ struct smith_correlated : masking_functions<smith_correlated> {
     using masking_functions::denominator;
     template <distribution N, class T = typename N::scalar>
     constexpr T denominator(const N& ndf, const vec3<T>& v, const vec3<T>& l, const T& sv) const {
-        return sv * l.z + (ndf.projected_area(l) - l.z) * v.z;
+        return sv * l.z + (detail::area_above(ndf, l) - l.z) * v.z;
     }
 };
 
@@ -70,7 +70,7 @@ struct smith_direction_correlated : masking_functions<smith_direction_correlated
     template <distribution N, class T = typename N::scalar>
     constexpr T denominator(const N& ndf, const vec3<T>& v, const vec3<T>& l, const T& sv) const {
         using std::atan2;
-        const T sl = ndf.projected_area(l);
+        const T sl = detail::area_above(ndf, l);
         const T along = v.x * l.x + v.y * l.y, across = v.x * l.y - v.y * l.x;
         const auto no_azimuth = along == T(0) && across == T(0);
         const T phi = atan2(max(across, -across), select(no_azimuth, T(1), along));

@@ -45,7 +45,7 @@ public:
         requires normal_sampler<Sampler, N>
     {
         const half h(v + l);
-        return select(above(v, l), ndf.D(h.s) / (T(4) * sampler.area(ndf, v, h.v_m, h.m_z(), ndf.projected_area(v))), T(0));
+        return select(above(v, l), ndf.D(h.s) / (T(4) * sampler.area(ndf, v, h.v_m, h.m_z(), detail::area_above(ndf, v))), T(0));
     }
 
     /// f_cos and pdf together, sharing their work: for multiple importance sampling. (Inlined by force, as is `sample`: clang
@@ -54,7 +54,7 @@ public:
         requires normal_sampler<Sampler, N>
     {
         const half h(v + l);
-        const T sv = ndf.projected_area(v);
+        const T sv = detail::area_above(ndf, v);
         const T D = ndf.D(h.s) / T(4);
         return {fresnel_(h.v_m) * select(above(v, l), D * l.z / shadow.denominator(ndf, v, l, sv), T(0)),
                 select(above(v, l), D / sampler.area(ndf, v, h.v_m, h.m_z(), sv), T(0))};
@@ -66,7 +66,7 @@ public:
     {
         const vec3<T> m = sampler.sample(ndf, v, u);
         const vec3<T> l = reflect(v, m);
-        const T v_m = dot(v, m), sv = ndf.projected_area(v);
+        const T v_m = dot(v, m), sv = detail::area_above(ndf, v);
         const T area = sampler.area(ndf, v, v_m, m.z, sv);
         const auto valid = above(v, l);
         return {select(valid, l, vec3<T>{T(0), T(0), T(1)}),

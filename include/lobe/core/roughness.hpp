@@ -83,13 +83,14 @@ public:
     constexpr T y() const { return ay; }
 
     constexpr vec3<T> stretch(const vec3<T>& w) const { return {ax * w.x, ay * w.y, w.z}; }
-    constexpr vec3<T> unstretch(const vec3<T>& m) const { return {m.x / ax, m.y / ay, m.z}; }
+    constexpr vec3<T> unstretch(const vec3<T>& m) const { return {ay * m.x, ax * m.y, ax * ay * m.z}; }
 
-    /// (m.m)^2 / (ax ay ((x/ax)^2 + (y/ay)^2 + z^2)^2).
+    /// (m.m)^2 / (ax ay ((x/ax)^2 + (y/ay)^2 + z^2)^2), with one division.
     constexpr T density_ratio(const vec3<T>& m) const {
         const vec3<T> s = unstretch(m);
-        const T k = dot(m, m) / dot(s, s);
-        return k * k / (ax * ay);
+        const T p = ax * ay;
+        const T k = p * (dot(m, m) / dot(s, s));
+        return k * k * p;
     }
 
 private:

@@ -33,12 +33,16 @@ struct schlick_terms {
 }  // namespace detail
 
 /// The split-sum terms of isotropic GGX by quadrature. Domain: mu = cos(theta_v) in (0,1].
-/// Computed in double for float. Error: below the tolerance, 1e-6 by default, and usually far below.
+/// Computed in double for float. `options` may ask for an order instead of a tolerance: 2 order^2 evaluations.
+/// Error: 5e-6 at order 16, 2e-8 at 32, for mu and alpha in [0.001,1].
 template <scalar T, class Masking>
 dfg_terms<T> dfg_exact(const Masking& masking_model, const T& mu, const alpha<T>& a, const quadrature& options = {}) {
     using W = detail::wide_t<T>;
     const microfacet lobe{ggx{alpha<W>(W(a.value()))}, masking_model, detail::schlick_terms{}};
-    const vec2<W> terms = directional_albedo(lobe, W(mu), options).value;
+    const vec3<W> v = detail::view_at(W(mu));
+    const auto f_cos = [&](const vec3<W>& l) { return lobe.f_cos(v, l); };
+    const vec2<W> terms = options.order ? detail::hemisphere_integral_at(f_cos, v, lobe.width(), true, options.order)
+                                        : hemisphere_integral(f_cos, v, lobe.width(), true, options).value;
     return {T(terms.x), T(terms.y)};
 }
 

@@ -9,6 +9,7 @@
 
 #include <cassert>
 #include <type_traits>
+#include <vector>
 
 namespace lobe {
 
@@ -33,14 +34,17 @@ auto irradiance(const Environment& environment, const vec3<T>& n, std::uint32_t 
 template <scalar T>
 vec3<T> irradiance(const latlong<T>& environment, const vec3<T>& n) {
     using W = detail::wide_t<T>;
+    std::vector<vec3<T>> equator;  // the directions of the columns; those of a row are these, tilted by v
+    for (int column = 0; column < environment.width; ++column)
+        equator.push_back(latlong_direction(vec2<T>{(T(column) + T(0.5)) / T(environment.width), T(0.5)}));
     vec3<W> total(W(0));
     W weights(0);
     for (int row = 0; row < environment.height; ++row) {
-        const T v = (T(row) + T(0.5)) / T(environment.height);
+        const auto [sin_theta, cos_theta] = sincos_2pi((T(row) + T(0.5)) / T(2 * environment.height));
         const T solid_angle = latlong_texel_solid_angle<T>(row, environment.width, environment.height);
         for (int column = 0; column < environment.width; ++column) {
-            const T u = (T(column) + T(0.5)) / T(environment.width);
-            const T weight = max(dot(latlong_direction(vec2<T>{u, v}), n), T(0)) * solid_angle;
+            const vec3<T>& e = equator[static_cast<std::size_t>(column)];
+            const T weight = max(sin_theta * (e.x * n.x + e.z * n.z) + cos_theta * n.y, T(0)) * solid_angle;
             total += vec3<W>(environment.at(column, row) * weight);
             weights += W(weight);
         }

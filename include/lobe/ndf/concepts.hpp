@@ -20,6 +20,19 @@ concept distribution = scalar<typename N::scalar> && requires(const N ndf, const
     { ndf.width() } -> std::same_as<vec2<typename N::scalar>>;
 };
 
+namespace detail {
+
+/// The projected area from a direction above the horizon: by the distribution's shorter form, if it has one.
+template <distribution N, class T = typename N::scalar>
+constexpr T area_above(const N& ndf, const vec3<T>& w) {
+    if constexpr (requires { ndf.projected_area_above(w); })
+        return ndf.projected_area_above(w);
+    else
+        return ndf.projected_area(w);
+}
+
+}  // namespace detail
+
 /// ... that can be sampled: `sample(u)` draws normals with density `pdf(m) = D(m) cos(theta_m)`.
 template <class N>
 concept samplable_distribution =

@@ -18,6 +18,12 @@ struct ggx_profile {
         return select(w.z < T(0), q / (S - w.z), S + w.z) / T(2);
     }
 
+    /// The same where w is known to be above the horizon: no division.
+    constexpr T projected_area_above(const vec3<T>& w) const {
+        using std::sqrt;
+        return (sqrt(w.x * w.x + w.y * w.y + w.z * w.z) + w.z) / T(2);
+    }
+
     /// (|w|/w.z - 1)/2; above the horizon as (w.x^2 + w.y^2)/(2 w.z (|w| + w.z)).
     constexpr T lambda(const vec3<T>& w) const {
         using std::sqrt;

@@ -37,6 +37,13 @@ public:
     /// Unit w, anywhere on the sphere.
     constexpr T projected_area(const vec3<T>& w) const { return profile.projected_area(size.stretch(w)); }
 
+    /// The same where w is known to be above the horizon, for profiles that are cheaper there.
+    constexpr T projected_area_above(const vec3<T>& w) const
+        requires requires(const Profile p) { p.projected_area_above(w); }
+    {
+        return profile.projected_area_above(size.stretch(w));
+    }
+
     /// Unit w; negative, at most -1, below the horizon, infinite at the horizon.
     constexpr T lambda(const vec3<T>& w) const { return profile.lambda(size.stretch(w)); }
 
