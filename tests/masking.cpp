@@ -218,7 +218,7 @@ TEST_CASE("Hammon's approximation: exact at alpha 1, too dark by up to 0.233", "
             }
     INFO(largest << ", " << largest_from_001 << " for cosines from 0.01; brighter by " << brightest);
     CHECK(largest == Catch::Approx(0.2327).margin(0.001));  // the grid is off its top by at most 12 % in x: 1e-3 of the value
-    CHECK(largest_from_001 > 0.22);                         // FORMULAS 2.6 has 0.22 from a coarser grid; its top is a ridge at small alpha
+    CHECK(largest_from_001 > 0.22);                         // 0.22 on a coarser grid; the top is a ridge at small alpha
     CHECK(brightest < 1e-15);
     // G1 is what is left of G2 when the other direction is the normal
     for (double mu : {1e-6, 0.1, 0.7, 1.0})
@@ -234,7 +234,7 @@ TEST_CASE("Schlick-GGX: each convention of k, and how far it is from Smith's G1"
     CHECK(lobe::k_ue4_direct(1.0).value() == 0.5);
     CHECK(lobe::k_schlick1994(1.0).value() == Catch::Approx(0.7978845608028654).epsilon(2e-16));
 
-    // FORMULAS 2.6, to the last digit quoted. The maxima are smooth: a grid of 400 x 400 finds them to 1e-4.
+    // Independently computed, to the last digit quoted. The maxima are smooth: a grid of 400 x 400 finds them to 1e-4.
     const deviation k_from_alpha = from_smith([](double r) { return lobe::k_from_alpha(alpha{r * r}); });
     const deviation k_ibl = from_smith([](double r) { return lobe::k_ibl(r); });
     const deviation k_ue4 = from_smith([](double r) { return lobe::k_ue4_direct(r); });
@@ -253,7 +253,7 @@ TEST_CASE("Schlick-GGX: each convention of k, and how far it is from Smith's G1"
     CHECK(misread.largest == Catch::Approx(0.78).margin(0.005));  // cosines from 0.001; it has no scale-free bound
     CHECK(misread_everywhere.largest == Catch::Approx(0.90).margin(0.005));
 
-    // ERRATA S3-6 and S2-1: G1(mu = 0.1)
+    // docs/errata.md, S3-6 and S2-1: G1(mu = 0.1)
     const ggx half{alpha{0.25}};
     const ggx smooth{alpha{0.0625}};
     const vec3<double> v = at(0.1, 0);

@@ -217,7 +217,7 @@ TEST_CASE("the success rate of visible normals is below 1 where facets reflect d
     const microfacet rough{ggx{alpha{1.0}}, smith_correlated{}, schlick{0.5}};
     const vec3<double> v{std::sqrt(0.75), 0, 0.5};
     const auto pdf = lobe::hemisphere_integral([&](const vec3<double>& l) { return rough.pdf(v, l); }, v, rough.width(), true);
-    CHECK(pdf.value == Catch::Approx(2.0 / 3).epsilon(1e-6));  // FORMULAS 4.1: rejection 0.333 at mu = 0.5, alpha = 1
+    CHECK(pdf.value == Catch::Approx(2.0 / 3).epsilon(1e-6));  // rejection 0.333 at mu = 0.5, alpha = 1
 }
 
 TEST_CASE("the pdf of reflected visible normals integrates to 1 where none is lost", "[microfacet]") {

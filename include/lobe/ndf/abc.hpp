@@ -1,0 +1,100 @@
+// The ABC distribution.
+#pragma once
+
+#include <lobe/ndf/radial.hpp>
+#include <lobe/ndf/special_functions.hpp>
+
+#include <cassert>
+
+namespace lobe {
+
+/// ABC, its slopes divided by alpha. With y = 1 + B x, x = 1 - cos(theta), the normals below x have the share
+/// int_1^y (B + 1 - y) y^-C dy over the same up to 1 + B: two integrals of powers, each l y0^s phi(s l), l = ln(y/y0).
+template <scalar T>
+class abc_shape {
+public:
+    constexpr abc_shape(const T& width, const T& exponent) : a2(width * width), C(exponent), B(T(2) / a2), whole(), norm() {
+        using std::log1p;
+        assert(all(width > T(0)));
+        assert(all(C >= T(0)));
+        whole = moment(T(0), log1p(B));
+        norm = T(2) / (a2 * whole) * inv_pi<T>();
+    }
+
+    constexpr T D(const T& tau, const T& sec2) const {
+        using std::exp;
+        const T ratio = sec2 / (T(1) + a2 * tau);
+        return norm * ratio * ratio * exp(-C * log_y(tau));
+    }
+
+    constexpr T survival(const T& tau) const {
+        using std::log1p;
+        const T from = log_y(tau);
+        return moment(from, max(log1p(B) - from, T(0))) / whole;
+    }
+
+    /// Newton's method on ln y. Scalar types only.
+    T tan2(const T& u) const
+        requires(detail::single<T>)
+    {
+        using W = detail::at_least_double<T>;
+        if constexpr (!std::same_as<W, T>) {
+            return T(as<W>().tan2(W(u)));
+        } else {
+            using std::exp, std::expm1, std::log1p;
+            const T guess = C > T(1.5) ? -log1p(-u) / (C - T(1)) : -log1p(-u) * T(2);
+            const T l = detail::root_of_increasing<T>(T(0), log1p(B), guess, [&](const T& at) {
+                const T left = B - expm1(at);
+                return detail::value_and_slope<T>{moment(T(0), at) / whole - u, left * exp((T(1) - C) * at) / whole};
+            });
+            const T x = min(expm1(l) / B, T(1) - std::numeric_limits<T>::epsilon()), c = T(1) - x;
+            return expm1(l) / T(2) * (T(2) - x) / (c * c);
+        }
+    }
+
+    template <scalar U>
+    constexpr abc_shape<U> as() const {
+        using std::sqrt;
+        return abc_shape<U>(sqrt(U(a2)), U(C));
+    }
+
+private:
+    /// ln(1 + B x), 1 - cos = tan^2/(1 + tan^2 + sqrt(1 + tan^2)).
+    constexpr T log_y(const T& tau) const {
+        using std::log1p, std::sqrt;
+        const T sec2 = T(1) + a2 * tau;
+        return log1p(T(2) * (tau / (sec2 + sqrt(sec2))));
+    }
+
+    /// int (B + 1 - y) y^-C dy from y = e^from over a range of l in ln y.
+    constexpr T moment(const T& from, const T& l) const {
+        using std::exp;
+        return l * exp((T(1) - C) * from) *
+               ((B + T(1)) * detail::expm1_ratio((T(1) - C) * l) - exp(from) * detail::expm1_ratio((T(2) - C) * l));
+    }
+
+    T a2, C, B, whole, norm;
+};
+
+/// ABC: D = A / (1 + B (1 - cos theta_m))^C, B = 2/alpha^2, A from normalisation. Low, Kronander, Ynnerman & Unger 2012, "BRDF Models for
+/// Accurate and Efficient Rendering of Glossy Surfaces", eq. 12; the spectrum of polished surfaces of Church 1989. Near the
+/// normal it is (1 + theta^2/alpha^2)^-C, as GGX is at C = 2. Not shape-invariant: only `alpha`.
+/// Domain: alpha > 0, C >= 0. D in 1/sr. Projected area, Lambda, sampling: scalar types only, the area from a table that the constructor
+/// builds (once, not per pixel). Error of D: 8 (1 + |ln(D pi alpha^2)|) ULP; of the projected area:
+/// 3e-6 of that along the horizon.
+template <scalar T>
+class abc : public radial<tabulated<abc_shape<T>, T>, alpha<T>> {
+    using shape = tabulated<abc_shape<T>, T>;
+
+public:
+    abc(const alpha<T>& width, const T& C) : radial<shape, alpha<T>>(shape(abc_shape<T>(width.value(), C)), width) {}
+    /// From the B and C of the paper, whose A follows.
+    static abc from_b(const T& B, const T& C) {
+        using std::sqrt;
+        return {alpha<T>(sqrt(T(2) / B)), C};
+    }
+};
+template <scalar T>
+abc(alpha<T>, T) -> abc<T>;
+
+}  // namespace lobe

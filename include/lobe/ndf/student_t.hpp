@@ -1,0 +1,128 @@
+// Student's t-distribution of slopes, from GGX at gamma = 2 to Beckmann at infinity, and Hyper-Cauchy, its other name.
+#pragma once
+
+#include <lobe/ndf/radial.hpp>
+#include <lobe/ndf/special_functions.hpp>
+
+#include <cassert>
+
+namespace lobe {
+
+/// Student-t at alpha = 1: slopes with the density (1 + tau/k)^-(k+1) / pi, k = gamma - 1.
+template <scalar T>
+class student_t_shape {
+public:
+    constexpr explicit student_t_shape(const T& gamma) : student_t_shape(from_k(gamma - T(1))) {}
+
+    /// k = gamma - 1, where k is what is known exactly. Precondition: k > 1/2, or there is no projected area.
+    static constexpr student_t_shape from_k(const T& k) { return student_t_shape(k, 0); }
+
+    /// (sec2/(1 + tau/k))^2 (1 + tau/k)^-(k-1) / pi. At the horizon, where for k near 1 it falls to zero too late, zero for k > 1.
+    constexpr T D(const T& tau, const T& sec2) const {
+        using std::exp, std::log1p;
+        const T x = tau / k, ratio = sec2 / (T(1) + x);
+        const T above = ratio * ratio * exp((T(1) - k) * log1p(x)) * inv_pi<T>();
+        const T flat = detail::horizon<T>() * T(2);
+        return select(sec2 * flat * flat < T(1), above, select(k > T(1), T(0), above));
+    }
+
+    constexpr T survival(const T& tau) const {
+        using std::exp, std::log1p;
+        return exp(-k * log1p(tau / k));
+    }
+    constexpr T tan2(const T& u) const {
+        using std::expm1, std::log1p;
+        return k * expm1(-log1p(-u) / k);
+    }
+
+    /// Closed (Ribardiere et al. 2017): with y = k/(k + a^2),
+    ///   B y^(k-1/2) - a Q,  Q = I_y(k, 1/2)/2,  B = k^(3/2) Gamma(k + 1/2) / (sqrt(pi) Gamma(k + 1) (2k - 1)).
+    /// Scalar types only. Relative error 1e-14 (1 + min(k, a^2)).
+    T back(const T& a) const
+        requires(detail::single<T>)
+    {
+        using std::exp, std::log1p, std::sqrt;
+        const T a2 = a * a, x = a2 / k, y = T(1) / (T(1) + x);
+        const T complement = x < T(1) ? x / (T(1) + x) : T(1) - y;
+        const T Q = detail::incomplete_beta(k, T(1) / T(2), y, complement, gamma_ratio() / sqrt(pi<T>())) / T(2);
+        const T B = sqrt(k) * gamma_ratio() / (sqrt(pi<T>()) * (T(2) * k - T(1)));
+        return max(B * exp((T(1) / T(2) - k) * log1p(x)) - (Q > T(0) ? a * Q : T(0)), T(0));
+    }
+
+    template <scalar U>
+    constexpr student_t_shape<U> as() const { return student_t_shape<U>::from_k(U(k)); }
+
+private:
+    constexpr student_t_shape(const T& exponent, int) : k(exponent) { assert(all(k > T(1) / T(2))); }
+
+    /// Gamma(k + 1/2)/Gamma(k) by its asymptotic series, after the recurrence has raised k to 64. (Beyond double: Gamma itself.)
+    T gamma_ratio() const {
+        using std::sqrt;
+        T raised = k, factor(1);
+        const T enough = detail::beyond_double<T> ? T(1000000) : T(64);
+        if constexpr (detail::beyond_double<T>) {
+            using std::tgamma;
+            if (k < T(1000)) return tgamma(k + T(1) / T(2)) / tgamma(k);
+        }
+        while (raised < enough) {
+            factor *= raised / (raised + T(1) / T(2));
+            raised += T(1);
+        }
+        const T i = T(1) / raised;
+        return factor * sqrt(raised) *
+               (T(1) + i * (T(-1) / T(8) + i * (T(1) / T(128) + i * (T(5) / T(1024) + i * (T(-21) / T(32768) + i * T(-399) / T(262144))))));
+    }
+
+    T k;
+};
+
+/// STD: D = (gamma-1)^gamma alpha^(2 gamma - 2) / (pi cos^4 ((gamma-1) alpha^2 + tan^2)^gamma), isotropic from `alpha`, anisotropic from
+/// `alpha_xy`. Ribardiere, Bringier, Meneveaux & Simonot 2017, "STD: Student's t-Distribution of Slopes for Microfacet Based BSDFs".
+/// gamma = 2 is GGX, gamma to infinity Beckmann; smaller gamma has longer tails.
+/// Domain: alpha > 0, gamma > 3/2 (below, the projected area is infinite). D in 1/sr. Projected area, Lambda and visible normals:
+/// scalar types only (0.2 and 10 microseconds). Error of D: 6 (1 + |ln(D pi ax ay)|) ULP; of the projected area: relative 1e-14;
+/// of Lambda: relative 1e-12.
+template <scalar T, class Width = alpha<T>>
+class student_t : public radial<student_t_shape<T>, Width> {
+public:
+    constexpr student_t(const Width& width, const T& gamma) : radial<student_t_shape<T>, Width>(student_t_shape<T>(gamma), width) {}
+};
+template <scalar T>
+student_t(alpha<T>, T) -> student_t<T, alpha<T>>;
+template <scalar T>
+student_t(alpha_xy<T>, T) -> student_t<T, alpha_xy<T>>;
+
+namespace detail {
+
+template <scalar T>
+constexpr alpha<T> narrower(const alpha<T>& width, const T& by) {
+    return alpha<T>(width.x() / by);
+}
+template <scalar T>
+constexpr alpha_xy<T> narrower(const alpha_xy<T>& width, const T& by) {
+    return {width.x() / by, width.y() / by};
+}
+
+}  // namespace detail
+
+/// Hyper-Cauchy: D = (gamma-1) / (pi alpha^2 cos^4) (1 + tan^2/alpha^2)^-gamma. Wellems et al. 2006; Hoffman 2016, "Recent Advances in
+/// Physically Based Shading". It is Student-t of the width alpha/sqrt(gamma - 1), which `width()` returns. Domain and error: those
+/// of `student_t`.
+template <scalar T, class Width = alpha<T>>
+class hyper_cauchy : public student_t<T, Width> {
+public:
+    constexpr hyper_cauchy(const Width& width, const T& gamma) : student_t<T, Width>(detail::narrower(width, root(gamma - T(1))), gamma) {}
+
+private:
+    static constexpr T root(const T& k) {
+        using std::sqrt;
+        assert(all(k > T(1) / T(2)));
+        return sqrt(k);
+    }
+};
+template <scalar T>
+hyper_cauchy(alpha<T>, T) -> hyper_cauchy<T, alpha<T>>;
+template <scalar T>
+hyper_cauchy(alpha_xy<T>, T) -> hyper_cauchy<T, alpha_xy<T>>;
+
+}  // namespace lobe

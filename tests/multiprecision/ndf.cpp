@@ -1,0 +1,157 @@
+// Distributions on 50 digits: what rounding does to them in float and double, and closed areas against their own integrals.
+#include "../catch.hpp"
+#include "../support.hpp"
+
+#include <lobe/ndf/abc.hpp>
+#include <lobe/ndf/beckmann.hpp>
+#include <lobe/ndf/blinn_phong.hpp>
+#include <lobe/ndf/exponential_power.hpp>
+#include <lobe/ndf/gtr.hpp>
+#include <lobe/ndf/mixture.hpp>
+#include <lobe/ndf/phong.hpp>
+#include <lobe/ndf/sggx.hpp>
+
+#include <boost/math/special_functions.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+using digits50 = boost::multiprecision::cpp_bin_float_50;
+using lobe::vec3;
+
+namespace {
+
+template <class T>
+vec3<digits50> exact(const vec3<T>& w) {
+    return {digits50(w.x), digits50(w.y), digits50(w.z)};
+}
+
+template <class T>
+double ulps(const T& value, const digits50& truth) {
+    int exponent = 0;
+    std::frexp(static_cast<double>(truth), &exponent);
+    return static_cast<double>(abs(digits50(value) - truth) / digits50(std::ldexp(1.0, exponent - std::numeric_limits<T>::digits)));
+}
+
+/// D of a radial shape under a width, without the table of its area.
+template <class Shape, class Width>
+auto density(const Shape& shape, const Width& width, const vec3<typename Width::scalar>& m) {
+    return lobe::radial_profile<Shape, typename Width::scalar>(shape).D(m, width);
+}
+
+/// The worst error of D in units of 1 + |ln(D pi a^2)| ULP.
+template <class T, class MakeShape>
+double worst_density(const MakeShape& make, double widest, std::uint64_t seed) {
+    random_numbers random(seed);
+    double worst = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const T a = static_cast<T>(random.log_between(1e-4, widest));
+        const double s = random.log_between(1e-8, 1), phi = random.between(0, 6.28), scale = random.log_between(0.1, 2);
+        const vec3<T> m{static_cast<T>(scale * s * std::cos(phi)), static_cast<T>(scale * s * std::sin(phi)),
+                        static_cast<T>(scale * std::sqrt((1 - s) * (1 + s)))};
+        const digits50 truth = density(make(digits50(a)), lobe::alpha<digits50>(digits50(a)), exact(m));
+        // below the smallest number of the peak, D is zero or has few digits
+        if (!(truth * digits50(a) * digits50(a) > std::numeric_limits<T>::min())) continue;
+        const T value = density(make(a), lobe::alpha<T>(a), m);
+        const double conditioning = 1 + std::abs(std::log(static_cast<double>(truth) * 3.14159265 * static_cast<double>(a) * static_cast<double>(a)));
+        worst = std::max(worst, ulps(value, truth) / conditioning);
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("rounding errors of D", "[multiprecision][ndf]", float, double) {
+    using T = TestType;
+    const auto value = [](auto a, double x) { return decltype(a)(x); };  // the shape parameter, exact in every type
+    const double beckmann = worst_density<T>([]<class U>(const U&) { return lobe::beckmann_shape<U>{}; }, 1, 1);
+    const double student = worst_density<T>([&]<class U>(const U& a) { return lobe::student_t_shape<U>(value(a, 2.5)); }, 1, 2);
+    const double blinn = worst_density<T>([]<class U>(const U& a) { return lobe::student_t_shape<U>::from_k(U(1) / (a * a)); }, 1, 3);
+    const double epd = worst_density<T>([&]<class U>(const U& a) { return lobe::exponential_power_shape<U>(value(a, 0.5)); }, 1, 4);
+    const double gtr = std::max({worst_density<T>([&]<class U>(const U& a) { return lobe::gtr_shape<U>(a, value(a, 1)); }, 1, 5),
+                                 worst_density<T>([&]<class U>(const U& a) { return lobe::gtr_shape<U>(a, value(a, 1.5)); }, 1, 5),
+                                 worst_density<T>([&]<class U>(const U& a) { return lobe::gtr_shape<U>(a, value(a, 3)); }, 1, 6)});
+    const double phong = worst_density<T>([]<class U>(const U& a) { return lobe::phong_shape<U>(a); }, 0.7, 7);
+    const double abc = worst_density<T>([&]<class U>(const U& a) { return lobe::abc_shape<U>(a, value(a, 1.5)); }, 1, 8);
+    INFO("in ULP per 1 + |ln|: Beckmann " << beckmann << ", Student-t " << student << ", Blinn-Phong " << blinn << ", EPD " << epd << ", GTR " << gtr
+                                         << ", Phong " << phong << ", ABC " << abc);
+    // exponentials: each of tau's five roundings is multiplied by |ln|, and cos^-4 moves ln D the other way
+    CHECK(beckmann <= 6);
+    CHECK(student <= 6);
+    CHECK(blinn <= 6);
+    CHECK(epd <= 6);
+    CHECK(gtr <= 8);
+    CHECK(phong <= 12);
+    CHECK(abc <= 8);
+}
+
+TEST_CASE("rounding errors of closed projected areas and Lambda", "[multiprecision][ndf]") {
+    random_numbers random(9);
+    double area = 0, lambda = 0, student = 0, student_lambda = 0, walter = 0, flakes = 0, flakes_area = 0, area_float = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const double ax = random.log_between(1e-4, 1), ay = random.log_between(1e-4, 1);
+        const vec3<double> v = random.grazing_direction(1e-6), m = random.direction();
+        const lobe::alpha_xy<double> width{ax, ay};
+        const lobe::alpha_xy<digits50> wide{digits50(ax), digits50(ay)};
+        const lobe::beckmann ndf{width};
+        const lobe::beckmann truth{wide};
+        area = std::max(area, ulps(ndf.projected_area(v), truth.projected_area(exact(v))));
+        const digits50 L = truth.lambda(exact(v)), cot = digits50(v.z) / sqrt(pow(digits50(ax) * v.x, 2) + pow(digits50(ay) * v.y, 2));
+        if (cot < 8) lambda = std::max(lambda, std::abs(static_cast<double>(digits50(ndf.lambda(v)) / L - 1)));
+        walter = std::max(walter, ulps(lobe::beckmann_walter{width}.projected_area(v), lobe::beckmann_walter{wide}.projected_area(exact(v))));
+        const vec3<float> vf(v);
+        const float axf = static_cast<float>(ax), ayf = static_cast<float>(ay);
+        area_float = std::max(area_float, ulps(lobe::beckmann{lobe::alpha_xy{axf, ayf}}.projected_area(vf),
+                                               lobe::beckmann{lobe::alpha_xy{digits50(axf), digits50(ayf)}}.projected_area(exact(vf))));
+        flakes = std::max(flakes, ulps(lobe::sggx{width}.D(m), lobe::sggx{wide}.D(exact(m))));
+        flakes_area = std::max(flakes_area, ulps(lobe::sggx{width}.projected_area(m), lobe::sggx{wide}.projected_area(exact(m))));
+        if (i % 20 == 0) {
+            for (double gamma : {1.6, 1.75, 2.0, 3.0, 10.0, 1000.0}) {
+                const lobe::student_t one{width, gamma};
+                const lobe::student_t other{wide, digits50(gamma)};
+                const digits50 sigma = other.projected_area(exact(v)), back = sigma - v.z;
+                student = std::max(student, std::abs(static_cast<double>(digits50(one.projected_area(v)) / sigma - 1)));
+                if (back > 1e-6 * v.z) student_lambda = std::max(student_lambda, std::abs(static_cast<double>(digits50(one.lambda(v)) / other.lambda(exact(v)) - 1)));
+            }
+        }
+    }
+    INFO("Beckmann: area " << area << " ULP, float " << area_float << ", Lambda " << lambda << "; Walter " << walter << " ULP; Student-t: area " << student
+                           << ", Lambda " << student_lambda << "; SGGX: D " << flakes << " ULP, area " << flakes_area);
+    CHECK(area <= 4);
+    CHECK(area_float <= 4);
+    CHECK(lambda < 4e-14);
+    CHECK(walter <= 6);
+    CHECK(student < 1e-14);
+    CHECK(student_lambda < 1e-12);
+    CHECK(flakes <= 16);
+    CHECK(flakes_area <= 6);
+}
+
+TEST_CASE("families meet on 50 digits", "[multiprecision][ndf]") {
+    const lobe::alpha<digits50> a(digits50("0.3"));
+    const vec3<digits50> m{digits50("0.2"), digits50("0.1"), digits50("0.7")}, v{digits50("0.6"), digits50(0), digits50("0.8")};
+    // Lambda by independent quadrature, whose ten digits are right
+    const digits50 mu("0.4");
+    const vec3<digits50> w{sqrt(1 - mu * mu), digits50(0), mu};
+    CHECK(abs(lobe::blinn_phong{lobe::alpha<digits50>(digits50("0.4"))}.lambda(w) - digits50("0.02720671867")) < digits50("5e-12"));
+    // Student-t tends to Beckmann as 1/gamma
+    const lobe::beckmann beckmann{a};
+    digits50 last = 1;
+    for (const char* gamma : {"10", "100", "1000", "10000"}) {
+        const lobe::student_t t{a, digits50(gamma)};
+        const digits50 apart = abs(t.D(m) / beckmann.D(m) - 1) + abs(t.projected_area(v) - beckmann.projected_area(v));
+        CHECK(apart < last / 8);
+        CHECK(apart > last / 200);
+        last = apart;
+    }
+    const lobe::mixture both{beckmann, lobe::student_t{a, digits50("2.5")}, digits50("0.25")};
+    CHECK(abs(both.D(m) - (3 * beckmann.D(m) + lobe::student_t{a, digits50("2.5")}.D(m)) / 4) < digits50("1e-45"));
+    // the inverse CDF and the survival undo each other
+    const digits50 u("0.37");
+    const lobe::gtr_shape<digits50> gtr(digits50("0.3"), digits50("1.5"));
+    CHECK(abs(1 - gtr.survival(gtr.tan2(u)) - u) < digits50("1e-45"));
+    const lobe::phong_shape<digits50> phong(digits50("0.3"));
+    CHECK(abs(1 - phong.survival(phong.tan2(u)) - u) < digits50("1e-45"));
+    const lobe::student_t_shape<digits50> student(digits50("2.5"));
+    CHECK(abs(1 - student.survival(student.tan2(u)) - u) < digits50("1e-45"));
+    const lobe::exponential_power_shape<digits50> epd(digits50("0.5"));
+    CHECK(abs(1 - epd.survival(epd.tan2(u)) - u) < digits50("1e-40"));
+}
