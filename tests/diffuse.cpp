@@ -115,7 +115,7 @@ void for_each_model(const S& rho, const T& r, const G& g) {
 
 }  // namespace
 
-TEST_CASE("f is the printed equation", "[diffuse]") {
+TEST_CASE("each diffuse f is the printed equation", "[diffuse]") {
     // v and l are given to 1e-16, which reaches s = v.x l.x + v.y l.y, and through it f, times r/max(mu); where terms cancel, errors
     // are absolute. So errors are counted in units of rho/pi (0.3 + r/max(mu)), or of f where that is more.
     random_numbers random(1);

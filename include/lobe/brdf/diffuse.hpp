@@ -35,6 +35,9 @@ public:
         return {select(lit, l, vec3<T>{T(0), T(0), T(1)}), model().pi_f(v, l, lit, T(1)), pdf(v, l)};
     }
 
+    /// pi f(v, n): what a composition shares its samples by.
+    constexpr S albedo_estimate(const vec3<T>& v) const { return model().pi_f(v, {T(0), T(0), T(1)}, v.z > T(0), T(1)); }
+
     constexpr vec2<T> width() const { return {T(1), T(1)}; }
 
 private:

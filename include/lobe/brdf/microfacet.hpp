@@ -74,6 +74,9 @@ public:
                 select(valid, ndf.D(m) / (T(4) * area), T(0))};
     }
 
+    /// F(n.v): what a composition shares its samples by.
+    constexpr S albedo_estimate(const vec3<T>& v) const { return fresnel_(min(max(v.z, T(0)), T(1))); }
+
     constexpr vec2<T> width() const { return ndf.width(); }
 
 private:
