@@ -145,7 +145,7 @@ TEST_CASE("maps between widths and exponents", "[ndf]") {
     CHECK(lobe::exponent_from_phong_shininess(1000.0) + 2 == Catch::Approx(lobe::exponent_from_alpha(lobe::alpha_from_phong_exponent(1000.0)) + 2).epsilon(1e-3));
 }
 
-TEST_CASE("D agrees with the 50-digit tables at the extremes", "[ndf]") {
+TEST_CASE("every distribution: D agrees with the 50-digit tables at the extremes", "[ndf]") {
     double beckmann = 0, blinn = 0, anisotropic = 0;
     const auto allowed = [](double D, double peak) { return 4 * (1 + std::abs(std::log(D / peak))); };
     for (const auto& row : reference_table("ndf_extreme_iso.csv")) {
@@ -206,7 +206,7 @@ TEST_CASE("Lambda of Beckmann agrees with the 60-digit table, and Walter's fit w
     CHECK(lobe::samplable_distribution<decltype(lobe::beckmann_walter{alpha{0.3}})>);
 }
 
-TEST_CASE("projected_area is the area of the facets that face w", "[ndf]") {
+TEST_CASE("every distribution: projected_area is the area of the facets that face w", "[ndf]") {
     // int max(0, w.m) D(m) dm, the definition: what faces w is what faces away from it and cos(theta), since D is normalised.
     random_numbers random(2);
     double worst = 0, worst_table = 0;
@@ -425,7 +425,7 @@ TEST_CASE("SGGX: flakes seen from any side", "[ndf]") {
     static_assert(!lobe::distribution<lobe::sggx<double>>);
 }
 
-TEST_CASE("bad parameters end in an assert", "[ndf]") {
+TEST_CASE("bad parameters of a distribution end in an assert", "[ndf]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK(aborts([] { (void)lobe::student_t(alpha{0.5}, 1.5); }));
     CHECK(aborts([=] { (void)lobe::student_t(alpha{0.5}, nan); }));
