@@ -1,6 +1,6 @@
 // The diffuse models, widths and lights on 50 digits: what rounding costs them in float and double.
 #include "../catch.hpp"
-#include "../support.hpp"
+#include "digits50.hpp"
 
 #include <lobe/brdf/burley.hpp>
 #include <lobe/brdf/eon.hpp>
@@ -9,31 +9,7 @@
 #include <lobe/lights/punctual.hpp>
 #include <lobe/ndf/antialiasing.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
-using digits50 = boost::multiprecision::cpp_bin_float_50;
 using lobe::vec3;
-
-namespace {
-
-template <class T>
-vec3<digits50> exact(const vec3<T>& w) {
-    return {digits50(w.x), digits50(w.y), digits50(w.z)};
-}
-
-/// |value - truth| in units of the last place at `scale`, which is the truth unless the formula is stated to cancel.
-template <class T>
-double ulps(const T& value, const digits50& truth, const digits50& scale) {
-    int exponent = 0;
-    std::frexp(static_cast<double>(scale), &exponent);
-    return static_cast<double>(abs(digits50(value) - truth) / digits50(std::ldexp(1.0, exponent - std::numeric_limits<T>::digits)));
-}
-template <class T>
-double ulps(const T& value, const digits50& truth) {
-    return ulps(value, truth, truth);
-}
-
-}  // namespace
 
 TEMPLATE_TEST_CASE("what FON loses, against the paper's form on 50 digits", "[multiprecision]", float, double) {
     using T = TestType;

@@ -1,31 +1,12 @@
 // The same templates on 50 digits: what rounding does to float and double, without the code's own formulas being in doubt
 // (those are compared with independent tables elsewhere).
 #include "../catch.hpp"
-#include "../support.hpp"
+#include "digits50.hpp"
 
 #include <lobe/lobe.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
-using digits50 = boost::multiprecision::cpp_bin_float_50;
 using lobe::vec2;
 using lobe::vec3;
-
-namespace {
-
-template <class T>
-vec3<digits50> exact(const vec3<T>& w) {
-    return {digits50(w.x), digits50(w.y), digits50(w.z)};
-}
-
-template <class T>
-double ulps(const T& value, const digits50& truth) {
-    int exponent = 0;
-    std::frexp(static_cast<double>(truth), &exponent);
-    return static_cast<double>(abs(digits50(value) - truth) / digits50(std::ldexp(1.0, exponent - std::numeric_limits<T>::digits)));
-}
-
-}  // namespace
 
 TEST_CASE("pi has 100 digits where T has room", "[multiprecision]") {
     CHECK(abs(lobe::pi<digits50>() - boost::math::constants::pi<digits50>()) < digits50("1e-49"));

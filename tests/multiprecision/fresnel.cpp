@@ -1,7 +1,7 @@
 // Fresnel's equations in complex arithmetic on 50 digits, and Walsh's average as it is printed: what rounding does to float and
 // double over the whole domain.
 #include "../catch.hpp"
-#include "../support.hpp"
+#include "digits50.hpp"
 
 #include <lobe/fresnel/conductor.hpp>
 #include <lobe/fresnel/dielectric.hpp>
@@ -10,20 +10,11 @@
 #include <lobe/fresnel/schlick_gaussian.hpp>
 #include <lobe/fresnel/schlick_roughness.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_complex.hpp>
 
-using digits50 = boost::multiprecision::cpp_bin_float_50;
 using complex50 = boost::multiprecision::cpp_complex_50;
 
 namespace {
-
-template <class T>
-double ulps(const T& value, const digits50& truth) {
-    int exponent = 0;
-    std::frexp(static_cast<double>(truth), &exponent);
-    return static_cast<double>(abs(digits50(value) - truth) / digits50(std::ldexp(1.0, exponent - std::numeric_limits<T>::digits)));
-}
 
 digits50 printed_fresnel(const digits50& eta, const digits50& k, const digits50& c) {
     const complex50 n(eta, k), cos_t = sqrt(complex50(1) - complex50(1 - c * c) / (n * n));

@@ -1,6 +1,6 @@
 // Distributions on 50 digits: what rounding does to them in float and double, and closed areas against their own integrals.
 #include "../catch.hpp"
-#include "../support.hpp"
+#include "digits50.hpp"
 
 #include <lobe/ndf/abc.hpp>
 #include <lobe/ndf/beckmann.hpp>
@@ -12,24 +12,10 @@
 #include <lobe/ndf/sggx.hpp>
 
 #include <boost/math/special_functions.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 
-using digits50 = boost::multiprecision::cpp_bin_float_50;
 using lobe::vec3;
 
 namespace {
-
-template <class T>
-vec3<digits50> exact(const vec3<T>& w) {
-    return {digits50(w.x), digits50(w.y), digits50(w.z)};
-}
-
-template <class T>
-double ulps(const T& value, const digits50& truth) {
-    int exponent = 0;
-    std::frexp(static_cast<double>(truth), &exponent);
-    return static_cast<double>(abs(digits50(value) - truth) / digits50(std::ldexp(1.0, exponent - std::numeric_limits<T>::digits)));
-}
 
 /// D of a radial shape under a width, without the table of its area.
 template <class Shape, class Width>
