@@ -268,3 +268,13 @@ TEST_CASE("a microfacet of any distribution returns at most what it receives, an
             }
         }
 }
+
+TEST_CASE("a mixture hands its parts numbers below 1", "[ndf]") {
+    // (u - p)/(1 - p) rounds to 1 for many p; spherical caps then give a normal at the horizon
+    int at_the_horizon = 0;
+    for (int i = 1; i < 1000; ++i) {
+        const lobe::mixture both{lobe::ggx{lobe::alpha{0.3f}}, lobe::ggx{lobe::alpha{0.9f}}, static_cast<float>(i) / 1000.0f};
+        if (!(both.sample_visible(lobe::vec3<float>{0.6f, 0.0f, 0.8f}, {0x1.fffffep-1f, 0.0f}).z > 0)) ++at_the_horizon;
+    }
+    CHECK(at_the_horizon == 0);
+}

@@ -43,7 +43,9 @@
 #include <lobe/brdf/eon.hpp>
 #include <lobe/brdf/ggx_samplers.hpp>
 #include <lobe/brdf/lambert.hpp>
+#include <lobe/brdf/layered.hpp>
 #include <lobe/brdf/masking.hpp>
+#include <lobe/brdf/metallic_roughness.hpp>
 #include <lobe/brdf/microfacet.hpp>
 #include <lobe/brdf/oren_nayar.hpp>
 #include <lobe/brdf/samplers.hpp>

@@ -145,14 +145,14 @@ public:
         const vec3<T> n{T(0), T(0), T(1)};
         const auto q = choices(v);
         vec3<T> l = n;
-        T x = u.x, chosen_pdf(0);  // x >= 1, which it stays: one was chosen
+        T x = u.x, chosen_pdf(0);  // x > 1, which it stays: one was chosen
         std::size_t i = 0;
         for_each_lobe([&](const auto& lobe) {
             const auto here = x < q[i];
             const auto s = lobe.sample(v, {select(here, x / select(here, q[i], T(1)), T(0)), u.y});
             l = select(here, s.l, l);
             chosen_pdf = select(here, s.pdf, chosen_pdf);
-            x = select(here, T(2), (x - q[i]) / select(q[i] < T(1), T(1) - q[i], T(1)));
+            x = select(here, T(2), T(1) - (T(1) - x) / select(q[i] < T(1), T(1) - q[i], T(1)));  // (x - q)/(1 - q), which may round to 1
             ++i;
         });
         const auto e = evaluate(q, v, l);

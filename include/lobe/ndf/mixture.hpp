@@ -54,12 +54,12 @@ public:
 private:
     constexpr T mix(const T& a, const T& b) const { return (T(1) - w) * a + w * b; }
 
-    /// Is it the first, of probability p? And u over again. (Where p is 1 the second does not happen, and its u is 0.)
+    /// Is it the first, of probability p? And u over again. (Where p is 1 the second does not happen. The form of its u stays below 1.)
     struct chosen {
         decltype(std::declval<T>() < std::declval<T>()) first;
         T u;
         constexpr chosen(const T& p, const T& x)
-            : first(x < p), u(select(first, x / select(first, p, T(1)), (x - p) / select(p < T(1), T(1) - p, T(1)))) {}
+            : first(x < p), u(select(first, x / select(first, p, T(1)), T(1) - (T(1) - x) / select(p < T(1), T(1) - p, T(1)))) {}
     };
 
     [[no_unique_address]] First first;

@@ -1,0 +1,190 @@
+// A base under a specular lobe: what the lobe leaves to the base, in three couplings and that of a clear coat.
+#pragma once
+
+#include <lobe/brdf/microfacet.hpp>
+#include <lobe/brdf/sum.hpp>
+#include <lobe/fresnel/schlick.hpp>
+
+namespace lobe {
+
+/// A coupling: `c(v, l)`, the share of its light that a base keeps under the lobe above it, one number or a spectrum. It is asked
+/// below the horizon too, where the base is 0 and any finite answer will do.
+template <class C, class T>
+concept coupling = requires(const C c, const vec3<T> w) { c(w, w); };
+
+namespace detail {
+
+/// 1 - s.
+template <class S>
+constexpr S rest(const S& s) {
+    return S(component_t<S>(1)) - s;
+}
+
+/// A type of the user's own is taken at its word.
+template <class S>
+constexpr bool below_one(const S& s) {
+    if constexpr (requires { every([](const auto& x) { return x >= x; }, s); })
+        return every([]<class T>(const T& x) { return x < T(1); }, s);
+    else
+        return true;
+}
+
+template <scalar T>
+constexpr T cosine_in_unit_interval(const T& c) {
+    return min(max(c, T(0)), T(1));
+}
+
+}  // namespace detail
+
+/// 1 - F(v.h): what a facet that mirrors v to l lets through. glTF 2.0, appendix B.3; F is that of the specular lobe.
+/// Reciprocal, needs no table, and makes light, because at grazing the lobe reflects far more than F(v.h) of the diffuse light: over
+/// a white base, F0 = 0.04, the total albedo is 1.26 at mu = alpha = 0.1, 1.49 at mu = 0.01, alpha = 0.05, and tends to 1.9 as both vanish.
+template <class F>
+class fresnel_coupling {
+public:
+    constexpr explicit fresnel_coupling(const F& reflectance) : fresnel_(reflectance) {}
+
+    template <scalar T>
+    constexpr auto operator()(const vec3<T>& v, const vec3<T>& l) const {
+        return detail::rest(fresnel_(min(length(v + l) / T(2), T(1))));
+    }
+
+private:
+    [[no_unique_address]] F fresnel_;
+};
+
+/// 1 - E(v): what the specular lobe, seen from v, does not reflect. E: a callable of the cosine of v, the lobe's directional
+/// albedo (from a `dfg_table`: F0 * scale + bias), finite on [0,1]; as it knows no azimuth, for isotropic lobes.
+/// A white base totals exactly 1, as well as E is known. Not reciprocal: f(v,l)/f(l,v) of the base is (1 - E(v))/(1 - E(l)).
+template <class E>
+class albedo_coupling {
+public:
+    constexpr explicit albedo_coupling(const E& directional_albedo_of_lobe) : e(directional_albedo_of_lobe) {}
+
+    template <scalar T>
+    constexpr auto operator()(const vec3<T>& v, const vec3<T>&) const {
+        return detail::rest(e(detail::cosine_in_unit_interval(v.z)));
+    }
+
+private:
+    [[no_unique_address]] E e;
+};
+
+/// (1 - E(v)) (1 - E(l)) / (1 - E_avg): what passes on the way in and on the way out, scaled so that nothing is lost over a
+/// Lambertian base. Kelemen & Szirmay-Kalos 2001, "A Microfacet Based Coupled Specular-Matte BRDF Model with Importance Sampling";
+/// Kulla & Conty 2017, "Revisiting Physically Based Shading at Imageworks".
+/// E as for `albedo_coupling`; E_avg = 2 int_0^1 E(mu) mu dmu of the same lobe, below 1. S needs `/` here, once, in the constructor.
+/// Reciprocal to the bit if the base is. A white Lambertian base totals exactly 1, as well as E and E_avg are known.
+template <class E, class S>
+class reciprocal_coupling {
+public:
+    constexpr reciprocal_coupling(const E& directional_albedo_of_lobe, const S& average_albedo_of_lobe)
+        : e(directional_albedo_of_lobe), scale(S(detail::component_t<S>(1)) / detail::rest(average_albedo_of_lobe)) {
+        assert(detail::in_unit_interval(average_albedo_of_lobe));
+        assert(detail::below_one(average_albedo_of_lobe));
+    }
+
+    template <scalar T>
+    constexpr auto operator()(const vec3<T>& v, const vec3<T>& l) const {
+        return detail::rest(e(detail::cosine_in_unit_interval(v.z))) * detail::rest(e(detail::cosine_in_unit_interval(l.z))) * scale;
+    }
+
+private:
+    [[no_unique_address]] E e;
+    S scale;
+};
+
+/// 1 - weight F(n.v): what a clear coat of that weight in [0,1] leaves to all below it. glTF KHR_materials_clearcoat. F(n.v) is
+/// the albedo of a smooth coat; of a rough one it is too much at grazing, where the total is too dark. Not reciprocal.
+template <class F, scalar T>
+class coat_coupling {
+public:
+    constexpr coat_coupling(const F& reflectance, const T& weight) : fresnel_(reflectance), w(weight) {
+        assert(detail::in_unit_interval(w));
+    }
+
+    constexpr auto operator()(const vec3<T>& v, const vec3<T>&) const {
+        return detail::rest(fresnel_(detail::cosine_in_unit_interval(v.z)) * w);
+    }
+
+private:
+    [[no_unique_address]] F fresnel_;
+    T w;
+};
+
+/// f = base f * coupling(v, l). Sampled as the base is.
+template <brdf Base, class Coupling>
+class coupled : exact_vectors {
+    using T = typename Base::scalar;
+    using S = typename Base::spectrum;
+    static_assert(coupling<Coupling, T>, "a coupling is a callable of v and l");
+
+public:
+    using scalar = T;
+    using spectrum = S;
+    using exact_vectors::f, exact_vectors::f_cos, exact_vectors::pdf, exact_vectors::evaluate, exact_vectors::sample;
+    static constexpr bool isotropic = Base::isotropic;
+
+    constexpr coupled(const Base& below, const Coupling& share) : left(share), base(below) {}
+
+    constexpr S f(const vec3<T>& v, const vec3<T>& l) const { return base.f(v, l) * left(v, l); }
+    constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const { return base.f_cos(v, l) * left(v, l); }
+
+    constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const
+        requires samplable_brdf<Base>
+    {
+        return base.pdf(v, l);
+    }
+    constexpr evaluation<S, T> evaluate(const vec3<T>& v, const vec3<T>& l) const
+        requires samplable_brdf<Base>
+    {
+        const auto e = base.evaluate(v, l);
+        return {e.f_cos * left(v, l), e.pdf};
+    }
+    constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const
+        requires samplable_brdf<Base>
+    {
+        const auto s = base.sample(v, u);
+        return {s.l, s.weight * left(v, s.l), s.pdf};
+    }
+
+    /// The base's, times what is left of light along the normal: for 1 - F(v.h) nearer to the truth than 1 - F(n.v).
+    constexpr S albedo_estimate(const vec3<T>& v) const {
+        return detail::albedo_estimate(base, v) * left(v, vec3<T>{T(0), T(0), T(1)});
+    }
+    constexpr vec2<T> width() const { return base.width(); }
+
+    template <class G>
+        requires requires(const Base& parts, const G& g) { parts.for_each_lobe(g); }
+    constexpr void for_each_lobe(const G& g) const {
+        base.for_each_lobe([&](const auto& lobe) { g(coupled<std::decay_t<decltype(lobe)>, Coupling>{lobe, left}); });
+    }
+
+private:
+    [[no_unique_address]] Coupling left;  // first: two BRDFs, this and its base, at one address would cost a word of padding
+    Base base;
+};
+
+/// f = specular f + coupling(v, l) base f. v, l unit, in tangent space; f in 1/sr; zero below the horizon. The two lobes of a `sum`, which
+/// samples them and hands them to quadrature one by one. Either may be a composition itself.
+template <brdf Specular, brdf Base, class Coupling>
+class layered : public sum<Specular, coupled<Base, Coupling>> {
+public:
+    constexpr layered(const Specular& specular, const Base& base, const Coupling& share)
+        : sum<Specular, coupled<Base, Coupling>>(specular, coupled<Base, Coupling>(base, share)) {}
+};
+
+/// A clear coat over any BRDF: base f (1 - weight F(n.v)) + weight coat f, F Schlick's with F0 = 0.04. glTF KHR_materials_clearcoat.
+/// `coat`: the coat's normals, `ggx{a}` or, for the long tail of Burley 2012, `gtr{alpha(lerp(0.1, 0.001, gloss)), 1}`; weight in [0,1].
+/// Both with the masking that belongs to them. Disney's coat is GTR1 masked by a GGX of alpha 0.25, whatever its own
+/// width, which is not Smith's: its F = 1 furnace is 0.81, 0.85, 1.14 at mu 1, 0.5, 0.1 (alpha 0.1), and its energy is safe
+/// only because it is scaled by F and a weight of 1/4. (`masked_by{gtr{a, 1}, ggx{alpha(0.25)}}` is it, with `smith_separable`.)
+/// Not reciprocal. Over a white base, weight 1, the total albedo is at most 1.0014 (GGX, alpha 0.08, mu 0.57), 0.126 at (1, 0.01).
+template <brdf Base, distribution N>
+constexpr auto coated(const Base& base, const N& coat, const typename Base::scalar& weight) {
+    using T = typename Base::scalar;
+    const schlick F{typename Base::spectrum(T(4) / T(100))};
+    return layered{weighted{weight, microfacet{coat, smith_correlated{}, F}}, base, coat_coupling{F, weight}};
+}
+
+}  // namespace lobe
