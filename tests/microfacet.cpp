@@ -199,7 +199,8 @@ void expect_consistent_sampling(const B& brdf, const vec3<double>& v, std::uint3
 }  // namespace
 
 TEST_CASE("samples follow their density and weights add up to the albedo", "[microfacet]") {
-    // 2^18 Hammersley points: error of order log(n)/n times the variation; 1e-4 has a margin of 5 on the worst case here.
+    // 2^18 Hammersley points: their discrepancy is below (18/3 + 19/9)/n = 3.1e-5 (De Clerck 1986), times a
+    // variation of about 3: weights are at most 1.
     for (double a : {0.001, 0.05, 0.5, 1.0})
         for (double mu : {0.05, 0.5, 1.0}) {
             INFO("alpha " << a << " mu " << mu);

@@ -57,8 +57,8 @@ TEMPLATE_TEST_CASE("rounding errors over the whole domain", "[multiprecision]", 
               << visibility << "; Schlick " << schlick << "; f_cos " << f_cos);
     CHECK(D <= 12);
     CHECK(D_aniso <= 12);
-    CHECK(area <= 4);
-    CHECK(area_aniso <= 4);
+    CHECK(area <= 5);  // what the header states; a million points of both sides of the horizon are in ggx.cpp
+    CHECK(area_aniso <= 5);
     CHECK(lambda <= 8);
     CHECK(visibility <= 8);
     CHECK(schlick <= 8);

@@ -49,7 +49,7 @@ struct smith_separable : masking_functions<smith_separable> {
 
 /// Masking and shadowing correlated through the height: G2 = 1/(1 + Lambda(v) + Lambda(l)). Ross, Dion, Potvin 2005; Heitz
 /// 2014, eq. 99. The consistent default: it is what the random walk's first bounce does.
-/// den = sv cos_l + sl cos_v - cos_v cos_l, grouped so that it rounds least (4 ULP).
+/// den = sv cos_l + sl cos_v - cos_v cos_l, grouped so that it rounds least. Error of V: 6 ULP.
 struct smith_correlated : masking_functions<smith_correlated> {
     using masking_functions::denominator;
     template <distribution N, class T = typename N::scalar>
