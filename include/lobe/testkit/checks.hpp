@@ -1,0 +1,257 @@
+// The forms that a check takes: pairs of numbers that ought to be equal, one number a view, and a density against its samples.
+#pragma once
+
+#include <lobe/testkit/cubature.hpp>
+#include <lobe/testkit/diagnosis.hpp>
+#include <lobe/testkit/statistics.hpp>
+#include <lobe/testkit/subject.hpp>
+
+namespace lobe::testkit::detail {
+
+/// How much an effort is worth.
+struct budget {
+    int views, pairs, strata;  // strata^2 samples a view
+    long evaluations;          // of one integral, at most
+    double tolerance;          // of one integral, relative
+};
+inline budget budget_of(effort e) { return e == effort::quick ? budget{9, 4096, 96, 24000, 3e-4} : budget{32, 100000, 384, 200000, 5e-5}; }
+
+/// Pairs of numbers that ought to be equal. Each pair may differ by `tolerance` (relative) and by what rounding does there; the median
+/// of all ratios by `tolerance` alone, for rounding has no direction.
+template <class T>
+class comparison {
+public:
+    comparison(std::string of, double relative, std::string meaning)
+        : property(std::move(of)), tolerance(relative), otherwise(std::move(meaning)) {}
+
+    /// Values at which T begins to lose digits say nothing.
+    static constexpr double smallest = 1e6 * static_cast<double>(std::numeric_limits<T>::min());
+
+    void add(double measured, double expected, const place<T>& at, std::size_t channel = 0) {
+        const double size = std::max(std::abs(measured), std::abs(expected));
+        if (!(size > smallest)) return;
+        ++count;
+        if (expected != 0) ratios.push_back(static_cast<float>(measured / expected));
+        const double deviation = std::abs(measured - expected) / size;
+        if (deviation > closest) closest = deviation, close_at = {measured, expected, deviation, channel, at};
+        if (deviation > tolerance) suspects.push_back({measured, expected, deviation, channel, at});
+    }
+
+    /// noise(place, channel): what rounding does to the two values there.
+    template <class Noise>
+    void report_to(report& r, const Noise& noise) {
+        if (!count) return;
+        // The largest deviations, and as many spread over the rest: the largest may all be rounding.
+        std::vector<suspect> looked_at;
+        std::sort(suspects.begin(), suspects.end(), [](const suspect& a, const suspect& b) { return a.deviation > b.deviation; });
+        const std::size_t stride = std::max<std::size_t>(1, suspects.size() / 192);
+        for (std::size_t i = 0; i < suspects.size(); i += i < 64 ? 1 : stride) looked_at.push_back(suspects[i]);
+
+        double worst = 0, allowed = 0;
+        suspect at = close_at;
+        std::vector<ratio_at> wrong;
+        for (const suspect& s : looked_at) {
+            const double size = std::max(std::abs(s.measured), std::abs(s.expected));
+            const double limit = tolerance * size + 4 * noise(s.at, s.channel);
+            const double excess = std::abs(s.measured - s.expected) / limit;
+            if (excess > 1 && s.expected != 0) wrong.push_back({s.measured / s.expected, vec3<double>(s.at.v), vec3<double>(s.at.l)});
+            if (excess > worst) worst = excess, allowed = limit, at = s;
+        }
+        if (worst > 1) {
+            r.add({{property, at.measured, at.expected, allowed, at.at.text(), explain(wrong, otherwise)}, false});
+            return;
+        }
+        if (ratios.size() >= 64) {
+            const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+            std::nth_element(ratios.begin(), middle, ratios.end());
+            if (std::abs(*middle - 1) > tolerance) {
+                r.add({{property + ", median ratio", *middle, 1, tolerance, at.at.text(),
+                        "the same factor on most values: a constant is wrong"},
+                       false});
+                return;
+            }
+        }
+        r.add({{property, at.measured, at.expected, std::max(allowed, tolerance * std::abs(at.expected)), "", ""}, true});
+    }
+
+private:
+    struct suspect {
+        double measured, expected, deviation;
+        std::size_t channel;
+        place<T> at;
+    };
+    std::string property;
+    double tolerance;
+    std::string otherwise;
+    long count = 0;
+    double closest = -1;
+    suspect close_at{};
+    std::vector<suspect> suspects;
+    std::vector<float> ratios;
+};
+
+/// One number a view that ought to be equal to, or at most, another.
+class per_view {
+public:
+    per_view(std::string of, std::string meaning) : property(std::move(of)), otherwise(std::move(meaning)) {}
+
+    void add(double measured, double expected, double allowed, const vec3<double>& v, const std::string& at, bool at_most = false) {
+        const double off = at_most ? measured - expected : std::abs(measured - expected);
+        const double excess = off / allowed;
+        if (excess > 1) wrong.push_back({measured / expected, v, {0, 0, 1}});
+        ++count;
+        if (excess > worst) worst = excess, result = {property, measured, expected, allowed, at, ""};
+    }
+    void report_to(report& r) const {
+        if (!count) return;
+        check c{result, worst <= 1};
+        if (!c.passed) c.meaning = explain(wrong, otherwise);
+        r.add(c);
+    }
+
+private:
+    std::string property, otherwise;
+    finding result;
+    double worst = -1e300;
+    int count = 0;
+    std::vector<ratio_at> wrong;
+};
+
+/// Integrals over the square of a sampler's u. Its edges are magnified, u = t^2 (3 - 2 t): tails, and directions that reflection loses,
+/// lie there. The mesh is fine from the start along the border between samples that succeed and that fail, which an adaptive rule alone
+/// steps over where it has a narrow tongue. value(u): what to integrate; succeeds(u).
+template <std::size_t N, class Value, class Succeeds>
+mesh<N> integral_over_u(const Value& value, const Succeeds& succeeds, const budget& b, bool are_colours) {
+    const auto magnified = [](double t) { return t * t * (3 - 2 * t); };
+    mesh<N> m(
+        [=](double x, double y) {
+            std::array<double, N> out = value(vec2<double>(magnified(x), magnified(y)));
+            for (double& k : out) k *= 36 * x * (1 - x) * y * (1 - y);
+            return out;
+        },
+        16, 16, N);
+    constexpr int n = 64;
+    std::vector<bool> ok(n * n);
+    for (int i = 0; i < n * n; ++i)
+        ok[static_cast<std::size_t>(i)] = succeeds(vec2<double>(magnified((i % n + 0.5) / n), magnified((i / n + 0.5) / n)));
+    for (int i = 0; i < n * (n - 1); ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        if (ok[at] != ok[at + n] || (i % n < n - 1 && ok[at] != ok[at + 1])) m.refine_at((i % n + 1.0) / n, (i / n + 1.0) / n, 2);
+    }
+    m.refine(b.tolerance, are_colours, b.evaluations);
+    return m;
+}
+
+/// A density over directions against the sampler that is said to follow it, for one view after another: its integral is the fraction of
+/// samples that succeed; three means are the same over both; the counts in the cells of its mesh follow it.
+template <class T>
+class density_check {
+public:
+    /// `density` and `draw(u)`, which returns a direction where it succeeds, on a chart from the square to directions; `moments` are three
+    /// smooth numbers of a direction.
+    template <class Chart, class Density, class Draw, class Moments>
+    void add(const Chart& chart, const Density& density, const Draw& draw, const Moments& moments, const vec3<double>& v,
+             const std::string& at, std::uint64_t seed) {
+        const std::vector<vec3<double>> samples = draw_strata(draw, budget_.strata, seed);
+        std::vector<std::array<double, 2>> hints;
+        for (std::size_t k = 0; k < samples.size(); k += std::max<std::size_t>(1, samples.size() / 512))
+            hints.push_back(chart.find(samples[k]));
+
+        mesh<4> over_l(
+            [&](double x, double y) {
+                const auto p = chart(x, y);
+                const double d = density(vec3<T>(p.l)) * p.area;
+                const auto t = moments(p.l);
+                return mesh<4>::values{d, d * t[0], d * t[1], d * t[2]};
+            },
+            8, 16, 4);
+        for (const vec3<double>& w : {v, vec3<double>{0, 0, 1}}) {
+            const auto peak = chart.find(w);
+            over_l.refine_at(peak[0], peak[1], 4);
+        }
+        over_l.refine_crowded(hints, 24, 12);
+        over_l.refine(budget_.tolerance, false, budget_.evaluations);
+
+        const auto over_u = integral_over_u<4>(
+            [&](const vec2<double>& u) {
+                const std::optional<vec3<T>> l = draw(vec2<T>{below_one<T>(u.x), below_one<T>(u.y)});
+                if (!l) return mesh<4>::values{};
+                const auto t = moments(vec3<double>(*l));
+                return mesh<4>::values{1, t[0], t[1], t[2]};
+            },
+            [&](const vec2<double>& u) {
+                return draw(vec2<T>{below_one<T>(u.x), below_one<T>(u.y)}).has_value();
+            },
+            budget_, false);
+
+        const auto &I = over_l.integral(), &U = over_u.integral(), &e = over_l.error(), &eu = over_u.error();
+        total.add(I[0], U[0], tolerance * U[0] + e[0] + eu[0], v, at);
+        if (!(I[0] > 0) || !(U[0] > 0)) return;
+        for (std::size_t k = 1; k < 4; ++k)
+            means.add(U[k] / U[0], I[k] / I[0],
+                      tolerance * I[k] / I[0] + (e[k] + e[0] * I[k] / I[0]) / I[0] + (eu[k] + eu[0] * U[k] / U[0]) / U[0], v, at);
+
+        // A small probability is asked for again, twice, with four times as many samples.
+        double chance = probability(over_l, chart, samples);
+        for (std::uint64_t again = 1; again <= 2 && chance < significance(); ++again)
+            chance = std::max(chance, probability(over_l, chart, draw_strata(draw, 2 * budget_.strata, seed + 500 * again)));
+        if (chance < least) least = chance, least_at = at;
+    }
+
+    void report_to(report& r) const {
+        total.report_to(r);
+        means.report_to(r);
+        r.add({{samples_ + " follow " + pdf_ + " (chi-squared)", least, 1, significance(), least_at,
+                "the samples are distributed otherwise than the density says: the two differ in roughness, axes or measure"},
+               least >= significance()});
+    }
+
+    density_check(const std::string& pdf, const std::string& samples, const options& o, int views)
+        : pdf_(pdf), samples_(samples),
+          total("integral of " + pdf + " = successes", "it is not the density of these samples: a factor or a Jacobian is wrong"),
+          means("means of " + samples + " = means of " + pdf, "the samples are wider, narrower or more tilted than the density says"),
+          budget_(budget_of(o.effort)), tolerance(o.tolerance), tests(2 * views) {}
+
+private:
+    /// n^2 samples, one at random in each of the n^2 squares; those that succeed.
+    template <class Draw>
+    static std::vector<vec3<double>> draw_strata(const Draw& draw, int n, std::uint64_t seed) {
+        generator random(seed);
+        std::vector<vec3<double>> out;
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i) {
+                const double x = (i + random()) / n, y = (j + random()) / n;
+                if (const auto l = draw(vec2<T>{below_one<T>(x), below_one<T>(y)})) out.push_back(vec3<double>(*l));
+            }
+        return out;
+    }
+
+    /// Fine bins see a narrow fault, coarse ones a faint and wide one.
+    template <class Chart>
+    static double probability(const mesh<4>& over_l, const Chart& chart, const std::vector<vec3<double>>& samples) {
+        if (samples.empty()) return 1;
+        std::vector<double> count(over_l.cells().size());
+        for (const vec3<double>& l : samples) {
+            const auto p = chart.find(l);
+            ++count[over_l.find(p[0], p[1])];
+        }
+        const double n = static_cast<double>(samples.size());
+        std::vector<bin> bins;
+        for (const std::size_t at : over_l.leaves())
+            bins.push_back({n * std::max(over_l.cells()[at].integral[0], 0.0) / over_l.integral()[0], count[at]});
+        return std::min(chi_squared_probability(merged(bins, 10)), chi_squared_probability(merged(bins, n / 24)));
+    }
+
+    /// 1 % for all tests together (Sidak).
+    double significance() const { return 1 - std::pow(0.99, 1.0 / tests); }
+
+    std::string pdf_, samples_;
+    per_view total, means;
+    budget budget_;
+    double tolerance;
+    int tests;
+    double least = 1;
+    std::string least_at;
+};
+
+}  // namespace lobe::testkit::detail

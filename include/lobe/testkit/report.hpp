@@ -1,0 +1,114 @@
+// What a verdict consists of: one check a property, with the worst input and what such a failure usually means.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lobe::testkit {
+
+/// A property that does not hold. `input` is C++, with all digits, ready for a unit test.
+struct finding {
+    std::string property;
+    double measured = 0, expected = 0, tolerance = 0;
+    std::string input;
+    std::string meaning;
+};
+
+/// A property that was checked: the finding nearest to failing, or failed.
+struct check : finding {
+    bool passed = true;
+};
+
+namespace detail {
+
+inline std::string number(double x, const char* format = "%.6g") {
+    char text[40];
+    std::snprintf(text, sizeof text, format, x);
+    return text;
+}
+
+inline std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\')
+            out += std::string("\\") + c;
+        else if (static_cast<unsigned char>(c) < 0x20) {
+            char code[8];
+            std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned>(c));
+            out += code;
+        } else
+            out += c;
+    }
+    return out + '"';
+}
+
+/// JSON knows no NaN and no infinity: they are null.
+inline std::string json_number(double x) { return std::isfinite(x) ? number(x, "%.17g") : "null"; }
+
+}  // namespace detail
+
+/// Everything that was checked of one subject. Tests as true if all of it passed.
+class report {
+public:
+    explicit report(std::string subject) : name_(std::move(subject)) {}
+
+    void add(check result) { checks_.push_back(std::move(result)); }
+
+    const std::string& name() const { return name_; }
+    const std::vector<check>& checks() const { return checks_; }
+    std::vector<finding> findings() const {
+        std::vector<finding> failed;
+        for (const check& c : checks_)
+            if (!c.passed) failed.push_back(c);
+        return failed;
+    }
+    bool passed() const {
+        return std::all_of(checks_.begin(), checks_.end(), [](const check& c) { return c.passed; });
+    }
+    explicit operator bool() const { return passed(); }
+
+    std::string json() const {
+        std::string out = "{\"subject\": " + detail::quoted(name_) + ", \"passed\": " + (passed() ? "true" : "false") + ", \"checks\": [";
+        for (std::size_t i = 0; i < checks_.size(); ++i) {
+            const check& c = checks_[i];
+            out += (i ? ",\n  " : "\n  ") + ("{\"property\": " + detail::quoted(c.property)) +
+                   ", \"passed\": " + (c.passed ? "true" : "false") + ", \"measured\": " + detail::json_number(c.measured) +
+                   ", \"expected\": " + detail::json_number(c.expected) + ", \"tolerance\": " + detail::json_number(c.tolerance) +
+                   ", \"input\": " + detail::quoted(c.input) + ", \"meaning\": " + detail::quoted(c.passed ? "" : c.meaning) + "}";
+        }
+        return out + "]}\n";
+    }
+
+    friend std::ostream& operator<<(std::ostream& out, const report& r) {
+        const auto padded = [](std::string text, std::size_t width) {
+            text.resize(std::max(width, text.size()), ' ');
+            return text;
+        };
+        std::size_t widest = 8;
+        for (const check& c : r.checks_) widest = std::max(widest, c.property.size());
+        out << (r.name_.empty() ? "" : r.name_ + ": ") << (r.passed() ? "passed" : "FAILED") << '\n'
+            << "  " << padded("property", widest) << "          measured      expected     tolerance\n";
+        for (const check& c : r.checks_) {
+            out << "  " << padded(c.property, widest) << (c.passed ? "  ok    " : "  FAILED");
+            for (const double x : {c.measured, c.expected, c.tolerance}) {
+                const std::string text = detail::number(x);
+                out << std::string(text.size() < 12 ? 12 - text.size() : 0, ' ') << text << "  ";
+            }
+            out << '\n';
+            if (!c.passed && !c.meaning.empty()) out << "      " << c.meaning << '\n';
+            if (!c.passed && !c.input.empty()) out << "      at  " << c.input << '\n';
+        }
+        return out;
+    }
+
+private:
+    std::string name_;
+    std::vector<check> checks_;
+};
+
+}  // namespace lobe::testkit

@@ -1,0 +1,357 @@
+// The verdict on a BRDF: `verify(brdf)`.
+#pragma once
+
+#include <lobe/testkit/checks.hpp>
+#include <lobe/testkit/half_vector_chart.hpp>
+
+namespace lobe::testkit {
+
+namespace detail {
+
+template <class B>
+class judge {
+    using S = subject<B>;
+    using T = typename S::T;
+    using V = vec3<T>;
+    using values = typename S::values;
+    static constexpr std::size_t channels = S::channels;
+
+public:
+    judge(const B& brdf, const options& o) : options_(o), budget_(budget_of(o.effort)), b(brdf, o.zero_below) {
+        if constexpr (requires {
+                          { B::isotropic } -> std::convertible_to<bool>;
+                      })
+            isotropic = B::isotropic;
+        isotropic = o.isotropic.value_or(isotropic);
+    }
+
+    report verdict() {
+        attempt([&] { sweep(); });
+        attempt([&] { pairs(); });
+        attempt([&] { views(); });
+        report all(options_.name);
+        values_of_calls(all);
+        for (const check& c : r.checks()) all.add(c);
+        return all;
+    }
+
+private:
+    // ---- every value is watched; here only the places are chosen
+
+    void sweep() {
+        std::vector<V> w;
+        for (const double z : {1.0, 1 - 1e-7, 0.999, 0.7, 0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-6, 0.0, -1e-6, -0.3, -1.0})
+            for (const double azimuth : {0.0, 1.0, tau / 4, tau / 2, -2.0}) w.push_back(direction<T>(z, azimuth));
+        const T tiny = std::numeric_limits<T>::denorm_min() * T(100);
+        w.push_back({tiny, T(0), T(1)});
+        w.push_back({-tiny, tiny, T(1)});
+        const std::size_t usual = w.size();
+        w.push_back({T(1), T(0), tiny});  // not against itself: cos(theta_v) cos(theta_l) underflows
+        const auto look = [&](const V& v, const V& l) {
+            b.f_cos(v, l);
+            if constexpr (S::has_pdf) b.pdf(v, l);
+        };
+        for (std::size_t i = 0; i < w.size(); ++i) {
+            for (std::size_t j = 0; j < w.size(); ++j)
+                if (i < usual || j < usual) look(w[i], w[j]);
+            if (i >= usual) continue;
+            look(w[i], -w[i]);
+            for (double step = 1e-8; step < 0.3; step *= 10)  // near the mirror direction, and near v itself
+                for (const double side : {-1.0, 1.0}) {
+                    const V mirror{-w[i].x, -w[i].y, w[i].z};
+                    look(w[i], unit(vec3<double>(mirror) + vec3<double>(side * step, step / 2, 0)));
+                    look(w[i], unit(vec3<double>(w[i]) + vec3<double>(side * step, -step / 2, 0)));
+                }
+        }
+        if constexpr (S::has_sample) {
+            const T last = T(1) - static_cast<T>(0x1p-24), below = T(1) - std::numeric_limits<T>::epsilon() / T(2);
+            for (const V& v : w)
+                if (v.z > T(0) && v.z >= std::numeric_limits<T>::min())
+                    for (const T x : {T(0), tiny, static_cast<T>(1e-6), T(0.25), T(0.5), T(0.75), last, below})
+                        for (const T y : {T(0), tiny, static_cast<T>(1e-6), T(0.25), T(0.5), T(0.75), last, below}) b.sample(v, {x, y});
+        }
+    }
+
+    /// What every call of every part has shown.
+    void values_of_calls(report& all) const {
+        all.add({{"f_cos is not always 0", b.largest, b.largest, 0, "",
+                  "the BRDF returned 0 for every pair of directions: nothing can be verified"},
+                 b.largest > 0});
+        b.of_f.report_to(all);
+        if constexpr (S::has_pdf) b.of_pdf.report_to(all, false);
+        if constexpr (S::has_sample) {
+            b.of_sample.report_to(all);
+            const bool unit = std::abs(b.worst_length - 1) <= unit_tolerance;
+            all.add({{"sampled directions are unit", b.worst_length, 1, unit_tolerance, unit ? "" : b.length_place.text(),
+                      "a half vector that is not normalised, or a basis that is not orthonormal"},
+                     unit});
+            all.add(
+                {{"no light without a density", double(b.light_without_pdf), 0, 0, b.light_without_pdf ? b.light_place.text() : "",
+                  b.largest == 0 ? "pdf is 0 and the weight is not: a perfect mirror, whose f_cos is a delta that no density describes; "
+                                   "verify it with a small roughness, or leave it out"
+                                 : "a sample with pdf 0 has failed: its weight must be 0"},
+                 b.light_without_pdf == 0});
+        }
+    }
+
+    // ---- two values that ought to be equal, at pairs of directions spread over all scales
+
+    void pairs() {
+        comparison<T> reciprocal("reciprocity", options_.tolerance,
+                                 "f(v,l) is not f(l,v): a Fresnel term of n.v or n.l instead of v.h, a masking of one direction only, or a "
+                                 "diffuse weight that looks at one side (if that is meant: options.reciprocal = false)");
+        comparison<T> turned("isotropy", options_.tolerance,
+                             "the value changes when v and l turn about the normal: it is anisotropic, or reads x or y alone");
+        comparison<T> together("evaluate = {f_cos, pdf}", options_.tolerance, "evaluate and the separate functions are two formulas");
+        generator random(options_.seed);
+        const auto with_cosine = [&](const V& v, const V& l, std::size_t k) { return b.f_cos(v, l)[k] * static_cast<double>(v.z); };
+        for (int i = 0; i < budget_.pairs; ++i) {
+            const std::pair<V, V> directions = random_pair(random, i);
+            const V &v = directions.first, &l = directions.second;
+            if (!(v.z > T(0)) || !(l.z > T(0))) continue;
+            const values f = b.f_cos(v, l);
+            if (options_.reciprocal) {
+                const values g = b.f_cos(l, v);
+                for (std::size_t k = 0; k < channels; ++k)
+                    reciprocal.add(f[k] * static_cast<double>(v.z), g[k] * static_cast<double>(l.z), {v, l}, k);
+            }
+            if (isotropic) {
+                const double angle = tau * random();
+                const values g = b.f_cos(rotated(v, angle), rotated(l, angle));
+                for (std::size_t k = 0; k < channels; ++k) turned.add(g[k], f[k], {v, l}, k);
+            }
+            if constexpr (S::has_pdf && requires {
+                              b.b.evaluate(v, l).f_cos;
+                              b.b.evaluate(v, l).pdf;
+                          }) {
+                const auto e = b.b.evaluate(v, l);
+                for (std::size_t k = 0; k < channels; ++k) together.add(spectrum<typename S::value>::get(e.f_cos, k), f[k], {v, l}, k);
+                together.add(static_cast<double>(e.pdf), b.pdf(v, l), {v, l}, channels);
+            }
+        }
+        const auto noise_of = [&](const place<T>& at, std::size_t k) {
+            return rounding_noise([&](const V& v, const V& l) { return with_cosine(v, l, k); }, at) +
+                   rounding_noise([&](const V& v, const V& l) { return with_cosine(l, v, k); }, at);
+        };
+        if (options_.reciprocal) reciprocal.report_to(r, noise_of);
+        const auto noise = [&](const place<T>& at, std::size_t k) {
+            if constexpr (S::has_pdf)
+                if (k == channels) return 2 * rounding_noise([&](const V& v, const V& l) { return b.pdf(v, l); }, at);
+            return 2 * rounding_noise([&](const V& v, const V& l) { return b.f_cos(v, l)[k]; }, at);
+        };
+        if (isotropic) turned.report_to(r, noise);
+        together.report_to(r, noise);
+    }
+
+    /// One in three: two independent directions; else l mirrored at a normal of any slope from 1e-4 to 10. One in four near grazing.
+    std::pair<V, V> random_pair(generator& random, int i) const {
+        const double z = i % 4 == 3 ? random.log_between(1e-6, 1e-1) : random(), azimuth = tau * random();
+        const V v = direction<T>(z, azimuth);
+        if (i % 3 == 0) return {v, direction<T>(i % 8 == 0 ? random.log_between(1e-6, 1) : random(), tau * random())};
+        const double slope = random.log_between(1e-4, 10), turn = tau * random();
+        const vec3<double> w(v), m = normalize(vec3<double>(slope * std::cos(turn), slope * std::sin(turn), 1));
+        return {v, unit(2 * dot(w, m) * m - w)};
+    }
+
+    // ---- integrals over all directions, for a fixed one
+
+    void views() {
+        per_view furnace(options_.lossless ? "white furnace is 1" : "white furnace is at most 1",
+                         options_.lossless
+                             ? "energy is lost or gained: single scattering only, or a compensation with the wrong average"
+                             : "energy is created: a missing 1/pi or 1/4, a D that is not normalised, a masking above 1, or a "
+                               "diffuse part that does not give up what the specular part reflects");
+        per_view furnace_of_light(options_.lossless ? "white furnace of a light is 1" : "white furnace of a light is at most 1",
+                                  "light from one direction is returned more than once: the compensation looks at the viewer only");
+        per_view pdf_at_most("integral of the pdf is at most 1", "it is no density: a factor or a Jacobian is wrong");
+        per_view covered("pdf > 0 where f_cos > 0", "the sampler never goes where the BRDF reflects: that light is lost");
+        per_view mean_weight("mean weight = furnace", "the estimator is biased: the weight or the pdf does not belong to the samples");
+        comparison<T> product("weight * pdf = f_cos", options_.tolerance, "the weight of a sample is not f_cos / pdf");
+        comparison<T> same_pdf("pdf(v, sample.l) = sample.pdf", options_.tolerance,
+                               "sample and pdf are two formulas: another width, another measure, or another lobe");
+        const std::vector<V> all = chosen_views();
+        density_check<T> density("the pdf", "samples", options_, static_cast<int>(all.size()));
+
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const V v = all[i];
+            const vec3<double> w = normalize(vec3<double>(v));
+            const std::string at = literal("v", v);
+            const half_vector_chart chart(w);
+            const std::vector<std::array<double, 2>> hints = samples(v, chart, options_.seed * 1000 + i, product, same_pdf);
+
+            mesh<channels + 1> over_l(  // f_cos, and the part of it that the pdf does not reach
+                [&](double x, double y) {
+                    const auto p = chart(x, y);
+                    const V l(p.l);
+                    const values f = b.f_cos(v, l);
+                    typename mesh<channels + 1>::values out{};
+                    double sum = 0;
+                    for (std::size_t k = 0; k < channels; ++k) sum += out[k] = f[k] * p.area;
+                    if constexpr (S::has_pdf)
+                        if (sum > 0 && b.pdf(v, l) == 0) out[channels] = sum;
+                    return out;
+                },
+                8, 16, channels);
+            integrate(over_l, chart, w, hints);
+            const auto &E = over_l.integral(), &e = over_l.error();
+            for (std::size_t k = 0; k < channels; ++k)
+                if (!is_padding(k, E[k])) furnace.add(E[k], 1, options_.tolerance + e[k], w, at, !options_.lossless);
+            if (options_.reciprocal) light_furnace(v, furnace_of_light);
+
+            if constexpr (S::has_pdf) {
+                const double total = std::accumulate(E.begin(), E.end() - 1, 0.0), error = std::accumulate(e.begin(), e.end() - 1, 0.0);
+                if (total > 0) covered.add(total - E[channels], total, options_.tolerance * total + error, w, at);
+            }
+            if constexpr (S::has_sample) {
+                const auto at_u = [&](const vec2<double>& u) { return b.sample(v, {below_one<T>(u.x), below_one<T>(u.y)}); };
+                const auto over_u = integral_over_u<channels>([&](const vec2<double>& u) { return at_u(u).weight; },
+                                                              [&](const vec2<double>& u) { return at_u(u).ok; }, budget_, true);
+                for (std::size_t k = 0; k < channels; ++k)
+                    if (E[k] > 1e-6)
+                        mean_weight.add(over_u.integral()[k], E[k], options_.tolerance * E[k] + e[k] + over_u.error()[k], w, at);
+            }
+            if constexpr (S::has_sample && S::has_pdf) {
+                const auto draw = [&](const vec2<T>& u) {
+                    const auto s = b.sample(v, u);
+                    return s.ok ? std::optional<V>(s.l) : std::nullopt;
+                };
+                const auto moments = [&](const vec3<double>& l) {
+                    const vec3<double> m = normalize(w + l);
+                    return std::array<double, 3>{std::abs(m.x), std::abs(m.y), l.z};
+                };
+                density.add(
+                    chart, [&](const V& l) { return b.pdf(v, l); }, draw, moments, w, at, options_.seed * 1000 + i);
+            } else if constexpr (S::has_pdf) {
+                mesh<1> total(
+                    [&](double x, double y) {
+                        const auto p = chart(x, y);
+                        return mesh<1>::values{b.pdf(v, V(p.l)) * p.area};
+                    },
+                    8, 16, 1);
+                integrate(total, chart, w, hints);
+                pdf_at_most.add(total.integral()[0], 1, options_.tolerance + total.error()[0], w, at, true);
+            }
+        }
+        furnace.report_to(r);
+        furnace_of_light.report_to(r);
+        pdf_at_most.report_to(r);
+        if constexpr (S::has_sample && S::has_pdf) density.report_to(r);
+        covered.report_to(r);
+        mean_weight.report_to(r);
+        product.report_to(r, [&](const place<T>& where, std::size_t k) {
+            return 2 * rounding_noise([&](const V& v, const V& l) { return b.f_cos(v, l)[k]; }, where);
+        });
+        if constexpr (S::has_pdf)
+            same_pdf.report_to(r, [&](const place<T>& where, std::size_t) {
+                return 2 * rounding_noise([&](const V& v, const V& l) { return b.pdf(v, l); }, where);
+            });
+    }
+
+    /// Weight and density of n^2 samples, one at random in each of the n^2 squares. Returns where some of them lie in the chart.
+    std::vector<std::array<double, 2>> samples(const V& v, const half_vector_chart& chart, std::uint64_t seed, comparison<T>& product,
+                                               comparison<T>& same_pdf) {
+        std::vector<std::array<double, 2>> some;
+        if constexpr (S::has_sample) {
+            generator random(seed);
+            const int n = budget_.strata, stride = std::max(1, n * n / 512);
+            for (int i = 0; i < n * n; ++i) {
+                const double x = (i % n + random()) / n, y = (i / n + random()) / n;
+                const vec2<T> u{below_one<T>(x), below_one<T>(y)};
+                const auto s = b.sample(v, u);
+                if (!s.ok) continue;
+                const place<T> at{v, s.l, u, true, true};
+                const values f = b.f_cos(v, s.l);
+                for (std::size_t k = 0; k < channels; ++k) product.add(s.weight[k] * s.pdf, f[k], at, k);
+                if constexpr (S::has_pdf) same_pdf.add(b.pdf(v, s.l), s.pdf, at);
+                if (i % stride == 0) some.push_back(chart.find(vec3<double>(s.l)));
+            }
+        }
+        return some;
+    }
+
+    template <std::size_t N>
+    void integrate(mesh<N>& m, const half_vector_chart& chart, const vec3<double>& fixed,
+                   const std::vector<std::array<double, 2>>& hints) const {
+        for (const vec3<double>& w : {fixed, vec3<double>{0, 0, 1}}) {  // where light may come back, and about the normal
+            const auto peak = chart.find(w);
+            m.refine_at(peak[0], peak[1], 4);
+        }
+        m.refine_crowded(hints, 24, 12);
+        m.refine(budget_.tolerance, true, budget_.evaluations);
+    }
+
+    /// int f(v,l) cos(theta_v) dv for a fixed light.
+    void light_furnace(const V& l, per_view& furnace) {
+        const vec3<double> w = normalize(vec3<double>(l));
+        const half_vector_chart chart(w);
+        mesh<channels> over_v(
+            [&](double x, double y) {
+                const auto p = chart(x, y);
+                const V v(p.l);
+                values f = b.f_cos(v, l);
+                for (double& x_k : f) x_k *= p.area * static_cast<double>(v.z) / static_cast<double>(l.z);
+                return f;
+            },
+            8, 16, channels);
+        integrate(over_v, chart, w, {});
+        for (std::size_t k = 0; k < channels; ++k) {
+            if (!is_padding(k, over_v.integral()[k]))
+                furnace.add(over_v.integral()[k], 1, options_.tolerance + over_v.error()[k], w, literal("l", l), !options_.lossless);
+        }
+    }
+
+    // ---- where to look
+
+    /// From the normal to cos = 0.01, and, unless the subject is isotropic, along both axes.
+    std::vector<V> chosen_views() const {
+        std::vector<V> all;
+        for (int i = 0; i < budget_.views; ++i) {
+            const double t = static_cast<double>(i) / (budget_.views - 1), mu = std::max(0.01, 1 - t * (2 - t) * 0.7 - 0.3 * t * t);
+            all.push_back(direction<T>(i == 0 ? 1 : mu, golden_angle * i));
+        }
+        if (!isotropic)
+            for (const double mu : {0.7, 0.15})
+                for (const double azimuth : {0.0, tau / 4}) all.push_back(direction<T>(mu, azimuth));
+        return all;
+    }
+
+    static V unit(const vec3<double>& w) { return V(normalize(w)); }
+    static V rotated(const V& w, double angle) {
+        const double c = std::cos(angle), s = std::sin(angle), x = static_cast<double>(w.x), y = static_cast<double>(w.y);
+        return {static_cast<T>(c * x - s * y), static_cast<T>(s * x + c * y), w.z};
+    }
+    /// A number that a spectrum of unknown size does not have.
+    static bool is_padding(std::size_t k, double x) { return k > 0 && channels == 16 && x == 0; }
+
+    static constexpr double unit_tolerance = 64 * static_cast<double>(std::numeric_limits<T>::epsilon());
+
+    /// A function that throws ends one part of the verdict, not the verdict.
+    template <class F>
+    void attempt(const F& f) {
+        try {
+            f();
+        } catch (const std::exception& e) {
+            r.add({{"no exception", 1, 0, 0, b.last.text(), std::string("it threw: ") + e.what()}, false});
+        } catch (...) {
+            r.add({{"no exception", 1, 0, 0, b.last.text(), "it threw something that is no std::exception"}, false});
+        }
+    }
+
+    options options_;
+    budget budget_;
+    S b;
+    report r{""};
+    bool isotropic = false;
+};
+
+}  // namespace detail
+
+/// Judges any type with `f_cos(v, l)`, or a function of (v, l) that returns it: f(v,l) cos(theta_l), in tangent space, directions pointing
+/// away from the surface. A scalar or rgb (or any spectrum that [] reads), in float or double. `sample(v, u)`, which returns l, weight and
+/// pdf, and `pdf(v, l)` are verified where they exist, each on its own.
+template <class B>
+report verify(const B& brdf, const options& o = {}) {
+    return detail::judge<B>(brdf, o).verdict();
+}
+
+}  // namespace lobe::testkit
