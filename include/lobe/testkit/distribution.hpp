@@ -243,14 +243,14 @@ private:
         }
         if constexpr (has_sample) {
             density_check<T> density("the pdf", "normals", options_, 1);
-            const auto pdf = [&](const V& m) {
+            const auto pdf = [&](const V&, const V& m) {
                 if constexpr (has_pdf)
                     return static_cast<double>(n.pdf(m));
                 else
                     return D(m) * static_cast<double>(m.z);
             };
             density.add(
-                chart, pdf, [&](const vec2<T>& u) { return draw(u); }, moments, {0, 0, 1}, "", options_.seed);
+                chart, pdf, [&](const vec2<T>& u) { return draw(u); }, moments, {T(0), T(0), T(1)}, options_.seed);
             density.report_to(r);
         }
     }
@@ -265,20 +265,19 @@ private:
             for (const V& v : all) {
                 const double exact = area_by_quadrature(normalize(vec3<double>(v)))[0];
                 const auto visible = [&](const V& m) { return std::max(0.0, dot(vec3<double>(v), vec3<double>(m))) * D(m) / exact; };
-                const auto pdf = [&](const V& m) {
+                const auto pdf = [&](const V& from, const V& m) {
                     if constexpr (has_visible_pdf)
-                        return static_cast<double>(n.pdf_visible(v, m));
+                        return static_cast<double>(n.pdf_visible(from, m));
                     else
                         return visible(m);
                 };
                 if constexpr (has_visible_pdf)
                     for (int i = 0; i < budget_.pairs / 8; ++i) {
                         const V m = direction<T>(std::cos(random.log_between(1e-4, 1.5)), tau * random());
-                        product.add(pdf(m), visible(m), {v, m});
+                        product.add(pdf(v, m), visible(m), {v, m});
                     }
                 density.add(
-                    chart, pdf, [&](const vec2<T>& u) { return draw_visible(v, u); }, moments, normalize(vec3<double>(v)), literal("v", v),
-                    options_.seed);
+                    chart, pdf, [&](const vec2<T>& u) { return draw_visible(v, u); }, moments, v, options_.seed);
             }
             density.report_to(r);
             product.report_to(r, [&](const place<T>& at, std::size_t) {

@@ -13,7 +13,7 @@ struct options {
     testkit::effort effort = effort::quick;
     std::uint64_t seed = 1;
     double tolerance = 2e-3;  // relative error that counts, beyond rounding and the error of the quadrature
-    std::string name;         // heads the report
+    std::string name{};       // heads the report
 
     // Claims about a BRDF, or a distribution.
     bool reciprocal = true;  // f(v,l) = f(l,v): no compensation or diffuse weight that looks at one direction only is

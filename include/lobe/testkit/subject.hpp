@@ -21,6 +21,22 @@ namespace detail {
 
 /// The number that a spectrum consists of, and how many: of a number, a GLM vector, anything with a size that [] reads, or r, g, b.
 template <class S>
+concept has_size = requires {
+    std::tuple_size<S>::value;
+};
+template <class S>
+concept has_iterators = requires(const S s) {
+    s.begin();
+    s.end();
+};
+template <class S>
+concept has_rgb = requires(const S s) {
+    s.r;
+    s.g;
+    s.b;
+};
+
+template <class S>
 struct spectrum;
 template <class S>
     requires std::is_arithmetic_v<S>
@@ -35,22 +51,14 @@ struct spectrum<glm::vec<N, T, Q>> {
     static constexpr std::size_t size = static_cast<std::size_t>(N);
     static double get(const glm::vec<N, T, Q>& s, std::size_t i) { return static_cast<double>(s[static_cast<int>(i)]); }
 };
-template <class S>
-    requires requires { std::tuple_size<S>::value; } && requires(const S s) {
-        s[0];
-    }
+template <has_size S>
 struct spectrum<S> {
     using scalar = std::remove_cvref_t<decltype(std::declval<const S&>()[0])>;
     static constexpr std::size_t size = std::tuple_size<S>::value;
     static double get(const S& s, std::size_t i) { return static_cast<double>(s[i]); }
 };
-template <class S>
-    requires(
-        !requires { std::tuple_size<S>::value; } &&
-        requires(const S s) {
-            s.begin();
-            s.end();
-        })
+template <has_iterators S>
+    requires(!has_size<S>)
 struct spectrum<S> {
     using scalar = std::remove_cvref_t<decltype(*std::declval<const S&>().begin())>;
     static constexpr std::size_t size = 16;  // its own size is known at run time only
@@ -60,248 +68,258 @@ struct spectrum<S> {
         return i < count ? static_cast<double>(*(s.begin() + static_cast<std::ptrdiff_t>(i))) : 0;
     }
 };
-template <class S>
-    requires requires(const S s) {
-        s.r;
-        s.g;
-        s.b;
-    } &&(!requires { std::tuple_size<S>::value; }) && (!requires(const S s) { s.begin(); }) struct spectrum<S> {
-        using scalar = std::remove_cvref_t<decltype(std::declval<const S&>().r)>;
-        static constexpr std::size_t size = 3;
-        static double get(const S& s, std::size_t i) { return static_cast<double>(i == 0 ? s.r : i == 1 ? s.g : s.b); }
+template <has_rgb S>
+    requires(!has_size<S> && !has_iterators<S>)
+struct spectrum<S> {
+    using scalar = std::remove_cvref_t<decltype(std::declval<const S&>().r)>;
+    static constexpr std::size_t size = 3;
+    static double get(const S& s, std::size_t i) { return static_cast<double>(i == 0 ? s.r : i == 1 ? s.g : s.b); }
+};
+
+template <class B, class V>
+concept has_f_cos = requires(const B b, const V w) {
+    b.f_cos(w, w);
+};
+template <class B, class V>
+concept is_f_cos = !has_f_cos<B, V> && requires(const B b, const V w) {
+    b(w, w);
+};
+
+template <class V, class B>
+decltype(auto) call_f_cos(const B& b, const V& v, const V& l) {
+    if constexpr (has_f_cos<B, V>)
+        return b.f_cos(v, l);
+    else
+        return b(v, l);
+}
+
+/// `B::scalar` where given, else that of the value returned. (What takes double vectors may take float ones: GLM converts silently.)
+template <class B>
+auto scalar_of_brdf() {
+    if constexpr (requires { typename B::scalar; }) {
+        return typename B::scalar{};
+    } else if constexpr (has_f_cos<B, vec3<double>> || is_f_cos<B, vec3<double>>) {
+        using value = std::remove_cvref_t<decltype(call_f_cos(std::declval<const B&>(), vec3<double>{}, vec3<double>{}))>;
+        return std::conditional_t<std::is_same_v<typename spectrum<value>::scalar, float>, float, double>{};
+    } else {
+        return float{};
+    }
+}
+
+/// Where a value was asked for: ready to paste.
+template <class T>
+std::string literal(T x) {
+    std::string text = number(static_cast<double>(x), std::is_same_v<T, float> ? "%.9g" : "%.17g");
+    if (!std::isfinite(x)) return text;
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    return text + (std::is_same_v<T, float> ? "f" : "");
+}
+template <class T>
+std::string literal(const char* name, const vec3<T>& w) {
+    return std::string(std::is_same_v<T, float> ? "glm::vec3 " : "glm::dvec3 ") + name + "{" + literal(w.x) + ", " + literal(w.y) + ", " +
+           literal(w.z) + "}; ";
+}
+template <class T>
+std::string literal(const char* name, const vec2<T>& u) {
+    return std::string(std::is_same_v<T, float> ? "glm::vec2 " : "glm::dvec2 ") + name + "{" + literal(u.x) + ", " + literal(u.y) + "}; ";
+}
+
+/// Directions and numbers that a value was computed from.
+template <class T>
+struct place {
+    vec3<T> v{}, l{};
+    vec2<T> u{};
+    bool has_l = true, has_u = false;
+    std::string text() const { return literal("v", v) + (has_l ? literal("l", l) : "") + (has_u ? literal("u", u) : ""); }
+};
+
+/// Uniform in [0,1), the same on every platform.
+class generator {
+public:
+    explicit generator(std::uint64_t seed) : engine(seed) {}
+    double operator()() { return static_cast<double>(engine() >> 11) * 0x1p-53; }
+    double log_between(double low, double high) { return low * std::pow(high / low, (*this)()); }
+    std::uint64_t bits() { return engine(); }
+
+private:
+    std::mt19937_64 engine;
+};
+
+/// A number of [0,1) in T: rounding may not turn it into 1.
+template <class T>
+T below_one(double u) {
+    return std::min(static_cast<T>(u), T(1) - std::numeric_limits<T>::epsilon() / 2);
+}
+
+template <class T>
+vec3<T> direction(double cosine, double azimuth) {
+    const double sine = std::sqrt((1 - cosine) * (1 + cosine));
+    return {static_cast<T>(sine * std::cos(azimuth)), static_cast<T>(sine * std::sin(azimuth)), static_cast<T>(cosine)};
+}
+
+inline constexpr double tau = 6.283185307179586;
+inline constexpr double golden_angle = 2.399963229728653;
+
+/// How far a value moves when every component of v and l moves by a few units of rounding: what rounding inside the function, or in
+/// its inputs, does to it there.
+template <class T, class F>
+double rounding_noise(const F& value, const place<T>& at, int steps = 32) {
+    generator random(7);
+    const double exact = value(at.v, at.l);
+    double noise = 0;
+    for (int i = 0; i < steps; ++i) {
+        vec3<T> v = at.v, l = at.l;
+        for (vec3<T>* w : {&v, &l})
+            for (int k = 0; k < 3; ++k) {
+                const double step = (2 * random() - 1) * 4 * static_cast<double>(std::numeric_limits<T>::epsilon());
+                const T moved = static_cast<T>(static_cast<double>((*w)[k]) + step);
+                (*w)[k] = k < 2 || (moved > T(0)) == ((*w)[k] > T(0)) ? moved : (*w)[k] / T(2);  // the horizon is not crossed
+            }
+        noise = std::max(noise, std::abs(value(v, l) - exact));
+    }
+    return noise;
+}
+
+/// Counts what is never right: values that are not finite, negative, or positive below the horizon; keeps the first of each.
+template <class T>
+struct watch {
+    explicit watch(const char* function) : what(function) {}
+
+    static constexpr double rounding = 1e-6;  // what float leaves of a difference of numbers near 1
+
+    std::string what;
+    long calls = 0, not_finite = 0, negative = 0, below = 0;
+    double nan_value = 0, negative_value = 0, below_value = 0;
+    place<T> nan_place{}, negative_place{}, below_place{};
+
+    /// The value itself where it is a number, else 0. `again(v, l)` asks for it elsewhere: a sign that rounding decides is no fault.
+    template <class Again>
+    double see(double x, const place<T>& at, bool must_vanish, const Again& again) {
+        const bool by_rounding = x < -rounding && negative < 100 && std::isfinite(x) && -x <= 4 * rounding_noise(again, at);
+        return by_rounding ? 0 : see(x, at, must_vanish);
+    }
+    double see(double x, const place<T>& at, bool must_vanish) {
+        if (!std::isfinite(x)) {
+            if (!not_finite++) nan_value = x, nan_place = at;
+            return 0;
+        }
+        if (x < -rounding) {
+            ++negative;
+            if (x < negative_value) negative_value = x, negative_place = at;
+        }
+        if (must_vanish && x != 0) {
+            ++below;
+            if (std::abs(x) > std::abs(below_value)) below_value = x, below_place = at;
+        }
+        return x;
+    }
+
+    void report_to(report& r, bool says_below = true) const {
+        const auto share = [&](long n) {
+            return " (" + number(100.0 * static_cast<double>(n) / static_cast<double>(std::max(calls, 1L)), "%.3g") + " % of the values)";
+        };
+        r.add({{what + " is finite", not_finite ? nan_value : 0, 0, 0, not_finite ? nan_place.text() : "",
+                not_finite == calls ? "every value is NaN or infinite"
+                                    : "a 0/0, an overflow, or the root or power of a negative number at an extreme" + share(not_finite)},
+               not_finite == 0});
+        r.add({{what + " is not negative", negative_value, 0, 0, negative ? negative_place.text() : "",
+                "a cosine that is not clamped or checked, or a weight that turns negative" + share(negative)},
+               negative == 0});
+        if (says_below)
+            r.add({{what + " vanishes below", below_value, 0, 0, below ? below_place.text() : "",
+                    "light from below the horizon is reflected: the sign of a cosine is lost (abs) or never looked at" + share(below)},
+                   below == 0});
+    }
+};
+
+/// A direction that `sample` drew, as doubles; `ok` where it succeeded: a density above zero and l above the horizon.
+template <class T, std::size_t N>
+struct drawn {
+    vec3<T> l{};
+    std::array<double, N> weight{};
+    double pdf = 0;
+    bool ok = false;
+};
+
+template <class B>
+class subject {
+public:
+    using T = decltype(scalar_of_brdf<B>());
+    using V = vec3<T>;
+    using value = std::remove_cvref_t<decltype(call_f_cos(std::declval<const B&>(), V{}, V{}))>;
+    static constexpr std::size_t channels = spectrum<value>::size;
+    using values = std::array<double, channels>;
+    static constexpr bool has_pdf = requires(const B b, const V w) {
+        { b.pdf(w, w) } -> std::convertible_to<double>;
+    };
+    static constexpr bool has_sample = requires(const B b, const V w, const vec2<T> u) {
+        b.sample(w, u).l;
+        b.sample(w, u).weight;
+        b.sample(w, u).pdf;
     };
 
-    template <class B, class V>
-    concept has_f_cos = requires(const B b, const V w) {
-        b.f_cos(w, w);
-    };
-    template <class B, class V>
-    concept is_f_cos = !has_f_cos<B, V> && requires(const B b, const V w) {
-        b(w, w);
-    };
+    subject(const B& judged, bool below_is_zero) : b(judged), zero_below(below_is_zero) {}
 
-    template <class V, class B>
-    decltype(auto) call_f_cos(const B& b, const V& v, const V& l) {
-        if constexpr (has_f_cos<B, V>)
-            return b.f_cos(v, l);
+    values f_cos(const V& v, const V& l) {
+        last = {v, l};
+        const auto s = call_f_cos(b, v, l);
+        const bool vanish = l.z < 0 && v.z > 0 ? true : zero_below && v.z < 0;
+        values out;
+        ++of_f.calls;
+        for (std::size_t i = 0; i < channels; ++i) {
+            out[i] = of_f.see(spectrum<value>::get(s, i), last, vanish, [&](const V& a, const V& c) { return raw_f_cos(a, c, i); });
+            largest = std::max(largest, std::abs(out[i]));
+        }
+        return out;
+    }
+
+    double pdf(const V& v, const V& l) requires has_pdf {
+        last = {v, l};
+        ++of_pdf.calls;
+        return of_pdf.see(static_cast<double>(b.pdf(v, l)), last, false, [&](const V& a, const V& c) { return raw_pdf(a, c); });
+    }
+
+    /// Unwatched, for what rounding does to them.
+    double raw_f_cos(const V& v, const V& l, std::size_t channel) const { return spectrum<value>::get(call_f_cos(b, v, l), channel); }
+    double raw_pdf(const V& v, const V& l) const {
+        if constexpr (has_pdf)
+            return static_cast<double>(b.pdf(v, l));
         else
-            return b(v, l);
+            return 0;
     }
 
-    /// `B::scalar` where given, else that of the value returned. (What takes double vectors may take float ones: GLM converts silently.)
-    template <class B>
-    auto scalar_of_brdf() {
-        if constexpr (requires { typename B::scalar; }) {
-            return typename B::scalar{};
-        } else if constexpr (has_f_cos<B, vec3<double>> || is_f_cos<B, vec3<double>>) {
-            using value = std::remove_cvref_t<decltype(call_f_cos(std::declval<const B&>(), vec3<double>{}, vec3<double>{}))>;
-            return std::conditional_t<std::is_same_v<typename spectrum<value>::scalar, float>, float, double>{};
-        } else {
-            return float{};
+    drawn<T, channels> sample(const V& v, const vec2<T>& u) requires has_sample {
+        last = {v, {}, u, false, true};
+        const auto s = b.sample(v, u);
+        drawn<T, channels> out;
+        ++of_sample.calls;
+        out.pdf = of_sample.see(static_cast<double>(s.pdf), last, false);
+        bool carries_light = false;
+        for (std::size_t i = 0; i < channels; ++i) {
+            out.weight[i] = of_sample.see(spectrum<std::remove_cvref_t<decltype(s.weight)>>::get(s.weight, i), last, false);
+            carries_light |= out.weight[i] != 0;
         }
-    }
-
-    /// Where a value was asked for: ready to paste.
-    template <class T>
-    std::string literal(T x) {
-        std::string text = number(static_cast<double>(x), std::is_same_v<T, float> ? "%.9g" : "%.17g");
-        if (!std::isfinite(x)) return text;
-        if (text.find_first_of(".e") == std::string::npos) text += ".0";
-        return text + (std::is_same_v<T, float> ? "f" : "");
-    }
-    template <class T>
-    std::string literal(const char* name, const vec3<T>& w) {
-        return std::string(std::is_same_v<T, float> ? "glm::vec3 " : "glm::dvec3 ") + name + "{" + literal(w.x) + ", " + literal(w.y) +
-               ", " + literal(w.z) + "}; ";
-    }
-    template <class T>
-    std::string literal(const char* name, const vec2<T>& u) {
-        return std::string(std::is_same_v<T, float> ? "glm::vec2 " : "glm::dvec2 ") + name + "{" + literal(u.x) + ", " + literal(u.y) +
-               "}; ";
-    }
-
-    /// Directions and numbers that a value was computed from.
-    template <class T>
-    struct place {
-        vec3<T> v{}, l{};
-        vec2<T> u{};
-        bool has_l = true, has_u = false;
-        std::string text() const { return literal("v", v) + (has_l ? literal("l", l) : "") + (has_u ? literal("u", u) : ""); }
-    };
-
-    /// Uniform in [0,1), the same on every platform.
-    class generator {
-    public:
-        explicit generator(std::uint64_t seed) : engine(seed) {}
-        double operator()() { return static_cast<double>(engine() >> 11) * 0x1p-53; }
-        double log_between(double low, double high) { return low * std::pow(high / low, (*this)()); }
-        std::uint64_t bits() { return engine(); }
-
-    private:
-        std::mt19937_64 engine;
-    };
-
-    /// A number of [0,1) in T: rounding may not turn it into 1.
-    template <class T>
-    T below_one(double u) {
-        return std::min(static_cast<T>(u), T(1) - std::numeric_limits<T>::epsilon() / 2);
-    }
-
-    template <class T>
-    vec3<T> direction(double cosine, double azimuth) {
-        const double sine = std::sqrt((1 - cosine) * (1 + cosine));
-        return {static_cast<T>(sine * std::cos(azimuth)), static_cast<T>(sine * std::sin(azimuth)), static_cast<T>(cosine)};
-    }
-
-    inline constexpr double tau = 6.283185307179586;
-    inline constexpr double golden_angle = 2.399963229728653;
-
-    /// Counts what is never right: values that are not finite, negative, or positive below the horizon; keeps the first of each.
-    template <class T>
-    struct watch {
-        explicit watch(const char* function) : what(function) {}
-
-        std::string what;
-        long calls = 0, not_finite = 0, negative = 0, below = 0;
-        double nan_value = 0, negative_value = 0, below_value = 0;
-        place<T> nan_place{}, negative_place{}, below_place{};
-
-        /// The value itself where it is a number, else 0.
-        double see(double x, const place<T>& at, bool must_vanish) {
-            if (!std::isfinite(x)) {
-                if (!not_finite++) nan_value = x, nan_place = at;
-                return 0;
-            }
-            if (x < -16 * 6e-8) {  // what float leaves of a difference of numbers near 1
-                ++negative;
-                if (x < negative_value) negative_value = x, negative_place = at;
-            }
-            if (must_vanish && x != 0) {
-                ++below;
-                if (std::abs(x) > std::abs(below_value)) below_value = x, below_place = at;
-            }
-            return x;
+        if (out.pdf > 0) {  // a failed sample may carry any l
+            out.l = s.l;
+            for (const T x : {s.l.x, s.l.y, s.l.z}) of_sample.see(static_cast<double>(std::abs(x)), last, false);
+            const double length = std::hypot(static_cast<double>(s.l.x), static_cast<double>(s.l.y), static_cast<double>(s.l.z));
+            if (!(std::abs(length - 1) <= std::abs(worst_length - 1))) worst_length = length, length_place = last;
+            if (!(s.l.z > 0) && carries_light) ++of_sample.below, of_sample.below_value = out.weight[0], of_sample.below_place = last;
+        } else if (carries_light) {
+            if (!light_without_pdf++) light_place = last;
         }
-
-        void report_to(report& r, bool says_below = true) const {
-            const auto share = [&](long n) {
-                return " (" + number(100.0 * static_cast<double>(n) / static_cast<double>(std::max(calls, 1L)), "%.3g") +
-                       " % of the values)";
-            };
-            r.add(
-                {{what + " is finite", not_finite ? nan_value : 0, 0, 0, not_finite ? nan_place.text() : "",
-                  not_finite == calls ? "every value is NaN or infinite"
-                                      : "a 0/0, an overflow, or the root or power of a negative number at an extreme" + share(not_finite)},
-                 not_finite == 0});
-            r.add({{what + " is not negative", negative_value, 0, 0, negative ? negative_place.text() : "",
-                    "a cosine that is not clamped or checked, or a weight that turns negative" + share(negative)},
-                   negative == 0});
-            if (says_below)
-                r.add({{what + " vanishes below", below_value, 0, 0, below ? below_place.text() : "",
-                        "light from below the horizon is reflected: the sign of a cosine is lost (abs) or never looked at" + share(below)},
-                       below == 0});
-        }
-    };
-
-    /// A direction that `sample` drew, as doubles; `ok` where it succeeded: a density above zero and l above the horizon.
-    template <class T, std::size_t N>
-    struct drawn {
-        vec3<T> l{};
-        std::array<double, N> weight{};
-        double pdf = 0;
-        bool ok = false;
-    };
-
-    template <class B>
-    class subject {
-    public:
-        using T = decltype(scalar_of_brdf<B>());
-        using V = vec3<T>;
-        using value = std::remove_cvref_t<decltype(call_f_cos(std::declval<const B&>(), V{}, V{}))>;
-        static constexpr std::size_t channels = spectrum<value>::size;
-        using values = std::array<double, channels>;
-        static constexpr bool has_pdf = requires(const B b, const V w) {
-            { b.pdf(w, w) } -> std::convertible_to<double>;
-        };
-        static constexpr bool has_sample = requires(const B b, const V w, const vec2<T> u) {
-            b.sample(w, u).l;
-            b.sample(w, u).weight;
-            b.sample(w, u).pdf;
-        };
-
-        subject(const B& judged, bool below_is_zero) : b(judged), zero_below(below_is_zero) {}
-
-        values f_cos(const V& v, const V& l) {
-            last = {v, l};
-            const auto s = call_f_cos(b, v, l);
-            const bool vanish = l.z < 0 && v.z > 0 ? true : zero_below && v.z < 0;
-            values out;
-            ++of_f.calls;
-            for (std::size_t i = 0; i < channels; ++i) {
-                out[i] = of_f.see(spectrum<value>::get(s, i), last, vanish);
-                largest = std::max(largest, std::abs(out[i]));
-            }
-            return out;
-        }
-
-        double pdf(const V& v, const V& l) requires has_pdf {
-            last = {v, l};
-            ++of_pdf.calls;
-            return of_pdf.see(static_cast<double>(b.pdf(v, l)), last, false);
-        }
-
-        drawn<T, channels> sample(const V& v, const vec2<T>& u) requires has_sample {
-            last = {v, {}, u, false, true};
-            const auto s = b.sample(v, u);
-            drawn<T, channels> out;
-            ++of_sample.calls;
-            out.pdf = of_sample.see(static_cast<double>(s.pdf), last, false);
-            bool carries_light = false;
-            for (std::size_t i = 0; i < channels; ++i) {
-                out.weight[i] = of_sample.see(spectrum<std::remove_cvref_t<decltype(s.weight)>>::get(s.weight, i), last, false);
-                carries_light |= out.weight[i] != 0;
-            }
-            if (out.pdf > 0) {  // a failed sample may carry any l
-                out.l = s.l;
-                for (const T x : {s.l.x, s.l.y, s.l.z}) of_sample.see(static_cast<double>(std::abs(x)), last, false);
-                const double length = std::hypot(static_cast<double>(s.l.x), static_cast<double>(s.l.y), static_cast<double>(s.l.z));
-                if (!(std::abs(length - 1) <= std::abs(worst_length - 1))) worst_length = length, length_place = last;
-                if (!(s.l.z > 0) && carries_light) ++of_sample.below, of_sample.below_value = out.weight[0], of_sample.below_place = last;
-            } else if (carries_light) {
-                if (!light_without_pdf++) light_place = last;
-            }
-            out.ok = out.pdf > 0 && s.l.z > 0;
-            if (!out.ok) out.weight = {};
-            return out;
-        }
-
-        const B& b;
-        bool zero_below;
-        watch<T> of_f{"f_cos"}, of_pdf{"pdf"}, of_sample{"sample"};
-        place<T> last{}, length_place{}, light_place{};
-        double largest = 0, worst_length = 1;
-        long light_without_pdf = 0;
-    };
-
-    /// How far a value moves when every component of v and l moves by a few units of rounding: what rounding inside the function, or in
-    /// its inputs, does to it there.
-    template <class T, class F>
-    double rounding_noise(const F& value, const place<T>& at) {
-        generator random(7);
-        const double exact = value(at.v, at.l);
-        double noise = 0;
-        for (int i = 0; i < 8; ++i) {
-            vec3<T> v = at.v, l = at.l;
-            for (vec3<T>* w : {&v, &l})
-                for (int k = 0; k < 3; ++k) {
-                    const double step = (2 * random() - 1) * 4 * static_cast<double>(std::numeric_limits<T>::epsilon());
-                    const T moved = static_cast<T>(static_cast<double>((*w)[k]) + step);
-                    (*w)[k] = k < 2 || (moved > T(0)) == ((*w)[k] > T(0)) ? moved : (*w)[k] / T(2);  // the horizon is not crossed
-                }
-            noise = std::max(noise, std::abs(value(v, l) - exact));
-        }
-        return noise;
+        out.ok = out.pdf > 0 && s.l.z > 0;
+        if (!out.ok) out.weight = {};
+        return out;
     }
+
+    const B& b;
+    bool zero_below;
+    watch<T> of_f{"f_cos"}, of_pdf{"pdf"}, of_sample{"sample"};
+    place<T> last{}, length_place{}, light_place{};
+    double largest = 0, worst_length = 1;
+    long light_without_pdf = 0;
+};
 
 }  // namespace detail
 

@@ -46,7 +46,8 @@ private:
         w.push_back({tiny, T(0), T(1)});
         w.push_back({-tiny, tiny, T(1)});
         const std::size_t usual = w.size();
-        w.push_back({T(1), T(0), tiny});  // not against itself: cos(theta_v) cos(theta_l) underflows
+        // Nearly on the horizon; not against itself, for cos(theta_v) cos(theta_l) underflows.
+        w.push_back({T(1), T(0), std::sqrt(std::numeric_limits<T>::min())});
         const auto look = [&](const V& v, const V& l) {
             b.f_cos(v, l);
             if constexpr (S::has_pdf) b.pdf(v, l);
@@ -104,7 +105,7 @@ private:
                              "the value changes when v and l turn about the normal: it is anisotropic, or reads x or y alone");
         comparison<T> together("evaluate = {f_cos, pdf}", options_.tolerance, "evaluate and the separate functions are two formulas");
         generator random(options_.seed);
-        const auto with_cosine = [&](const V& v, const V& l, std::size_t k) { return b.f_cos(v, l)[k] * static_cast<double>(v.z); };
+        const auto with_cosine = [&](const V& v, const V& l, std::size_t k) { return b.raw_f_cos(v, l, k) * static_cast<double>(v.z); };
         for (int i = 0; i < budget_.pairs; ++i) {
             const std::pair<V, V> directions = random_pair(random, i);
             const V &v = directions.first, &l = directions.second;
@@ -136,8 +137,8 @@ private:
         if (options_.reciprocal) reciprocal.report_to(r, noise_of);
         const auto noise = [&](const place<T>& at, std::size_t k) {
             if constexpr (S::has_pdf)
-                if (k == channels) return 2 * rounding_noise([&](const V& v, const V& l) { return b.pdf(v, l); }, at);
-            return 2 * rounding_noise([&](const V& v, const V& l) { return b.f_cos(v, l)[k]; }, at);
+                if (k == channels) return 2 * rounding_noise([&](const V& v, const V& l) { return b.raw_pdf(v, l); }, at);
+            return 2 * rounding_noise([&](const V& v, const V& l) { return b.raw_f_cos(v, l, k); }, at);
         };
         if (isotropic) turned.report_to(r, noise);
         together.report_to(r, noise);
@@ -194,8 +195,10 @@ private:
                 8, 16, channels);
             integrate(over_l, chart, w, hints);
             const auto &E = over_l.integral(), &e = over_l.error();
+            const double allowed =
+                options_.tolerance + relative_rounding<T>(over_l, chart, v, [&](const V& a, const V& c) { return total_of(a, c); });
             for (std::size_t k = 0; k < channels; ++k)
-                if (!is_padding(k, E[k])) furnace.add(E[k], 1, options_.tolerance + e[k], w, at, !options_.lossless);
+                if (!is_padding(k, E[k])) furnace.add(E[k], 1, allowed + e[k], w, at, !options_.lossless);
             if (options_.reciprocal) light_furnace(v, furnace_of_light);
 
             if constexpr (S::has_pdf) {
@@ -207,8 +210,7 @@ private:
                 const auto over_u = integral_over_u<channels>([&](const vec2<double>& u) { return at_u(u).weight; },
                                                               [&](const vec2<double>& u) { return at_u(u).ok; }, budget_, true);
                 for (std::size_t k = 0; k < channels; ++k)
-                    if (E[k] > 1e-6)
-                        mean_weight.add(over_u.integral()[k], E[k], options_.tolerance * E[k] + e[k] + over_u.error()[k], w, at);
+                    if (E[k] > 1e-6) mean_weight.add(over_u.integral()[k], E[k], allowed * E[k] + e[k] + over_u.error()[k], w, at);
             }
             if constexpr (S::has_sample && S::has_pdf) {
                 const auto draw = [&](const vec2<T>& u) {
@@ -220,7 +222,7 @@ private:
                     return std::array<double, 3>{std::abs(m.x), std::abs(m.y), l.z};
                 };
                 density.add(
-                    chart, [&](const V& l) { return b.pdf(v, l); }, draw, moments, w, at, options_.seed * 1000 + i);
+                    chart, [&](const V& a, const V& l) { return b.pdf(a, l); }, draw, moments, v, options_.seed * 1000 + i);
             } else if constexpr (S::has_pdf) {
                 mesh<1> total(
                     [&](double x, double y) {
@@ -239,11 +241,11 @@ private:
         covered.report_to(r);
         mean_weight.report_to(r);
         product.report_to(r, [&](const place<T>& where, std::size_t k) {
-            return 2 * rounding_noise([&](const V& v, const V& l) { return b.f_cos(v, l)[k]; }, where);
+            return 2 * rounding_noise([&](const V& v, const V& l) { return b.raw_f_cos(v, l, k); }, where);
         });
         if constexpr (S::has_pdf)
             same_pdf.report_to(r, [&](const place<T>& where, std::size_t) {
-                return 2 * rounding_noise([&](const V& v, const V& l) { return b.pdf(v, l); }, where);
+                return 2 * rounding_noise([&](const V& v, const V& l) { return b.raw_pdf(v, l); }, where);
             });
     }
 
@@ -267,6 +269,12 @@ private:
             }
         }
         return some;
+    }
+
+    double total_of(const V& v, const V& l) const {
+        double sum = 0;
+        for (std::size_t k = 0; k < channels; ++k) sum += b.raw_f_cos(v, l, k);
+        return sum;
     }
 
     template <std::size_t N>
@@ -294,9 +302,11 @@ private:
             },
             8, 16, channels);
         integrate(over_v, chart, w, {});
+        const double allowed =
+            options_.tolerance + relative_rounding<T>(over_v, chart, l, [&](const V& a, const V& c) { return total_of(c, a); });
         for (std::size_t k = 0; k < channels; ++k) {
             if (!is_padding(k, over_v.integral()[k]))
-                furnace.add(over_v.integral()[k], 1, options_.tolerance + over_v.error()[k], w, literal("l", l), !options_.lossless);
+                furnace.add(over_v.integral()[k], 1, allowed + over_v.error()[k], w, literal("l", l), !options_.lossless);
         }
     }
 
