@@ -30,7 +30,7 @@ error_summary error_of(const metric& m, exact_result exact, const inputs& in, co
     }
     std::vector<double> errors;
     for (std::size_t i = 0; i < count; ++i) {
-        real components[8] = {};
+        real components[9] = {};
         exact(in, i, components);
         if (std::ranges::any_of(components, [](real x) { return std::isnan(x); })) continue;
         real largest = 0, squares = 0;
@@ -41,6 +41,7 @@ error_summary error_of(const metric& m, exact_result exact, const inputs& in, co
         }
         errors.push_back(static_cast<double>(m.unit == unit_of_error::direction ? std::sqrt(squares) / in.a[i] : largest));
     }
+    if (errors.empty()) return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
     std::ranges::sort(errors);
     return {errors[errors.size() / 2], errors.back()};
 }

@@ -1,5 +1,11 @@
 #include "inputs.hpp"
 
+#include <lobe/fresnel/f82_tint.hpp>
+#include <lobe/fresnel/ior.hpp>
+#include <lobe/fresnel/materials.hpp>
+
+#include <glm/common.hpp>
+
 #include <cmath>
 #include <random>
 
@@ -29,13 +35,54 @@ direction ggx_normal(double ax, double ay, double u, double azimuth) {
     return {m[0] / length, m[1] / length, m[2] / length};
 }
 
+template <class V>
+void store(const V& rgb, parameters::rgb& out, std::size_t i) {
+    for (int k = 0; k < 3; ++k) out[static_cast<std::size_t>(k)][i] = static_cast<float>(rgb[k]);
+}
+
 void store(const direction& w, stream<float>& x, stream<float>& y, stream<float>& z, std::size_t i) {
     x[i] = static_cast<float>(w[0]);
     y[i] = static_cast<float>(w[1]);
     z[i] = static_cast<float>(w[2]);
 }
 
+void make_parameters(inputs& in, random_numbers& random) {
+    using namespace lobe::materials;
+    const lobe::conductor<lobe::vec3<double>> metals[] = {gold<double>(), silver<double>(), copper<double>(), iron<double>(),
+                                                          aluminium<double>()};
+    parameters& p = in.more;
+    for (std::size_t i = 0; i < count; ++i) {
+        p.fraction[i] = static_cast<float>(random()) * 0.999999f;
+        p.roughness[i] = std::sqrt(in.a[i]);
+        p.length[i] = static_cast<float>(random.between(0.8, 1));
+        p.eta[i] = static_cast<float>(random.between(1.3, 2.5));
+        p.f0[i] = lobe::f0_from_ior(p.eta[i]);
+        for (stream<float>& slope : p.slopes) slope[i] = static_cast<float>(random.between(-0.2, 0.2));
+
+        const auto& metal = metals[i % 5];
+        const lobe::vec3<double> at_82 = metal(1.0 / 7), of_schlick = lobe::schlick{metal.F0()}(1.0 / 7);
+        store(metal.index(), p.metal_eta, i);
+        store(metal.extinction(), p.metal_k, i);
+        store(metal.F0(), p.metal_F0, i);
+        store(glm::min(at_82 / of_schlick, lobe::vec3<double>(1.0)), p.metal_tint, i);
+    }
+}
+
 }  // namespace
+
+void set_average_albedos(inputs& in) {
+    const lobe::detail::gauss_legendre<double> rule(32);
+    for (std::size_t i = 0; i < count; ++i) {
+        lobe::vec3<double> average(0.0);
+        const lobe::vec3<double> F0{in.r[i], in.g[i], in.b[i]};
+        for (std::size_t k = 0; k < rule.x.size(); ++k) {
+            const double mu = rule.x[k];
+            const auto t = (*in.table)(static_cast<float>(mu), lobe::alpha{in.a[i]});
+            average += (F0 * double(t.scale) + double(t.bias)) * (2 * rule.w[k] * mu);
+        }
+        store(average, in.more.E_avg, i);
+    }
+}
 
 inputs make_inputs(set which) {
     const bool extreme = which == set::extreme;
@@ -72,5 +119,6 @@ inputs make_inputs(set which) {
         in.b[i] = static_cast<float>(random.between(0.02, 1));
         in.index[i] = static_cast<std::uint32_t>(extreme ? 0xffffffff - ((i + 1) << 22) % 0xffffffff : i);  // many low bits set
     }
+    make_parameters(in, random);
     return in;
 }

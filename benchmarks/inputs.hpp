@@ -29,6 +29,23 @@ struct textbook_table {
     std::vector<float> scale, bias;
 };
 
+template <class T>
+struct prebuilt;
+
+/// What models need beyond the directions. (Aligned, so that no stream is where results are, modulo 4 KiB.)
+struct alignas(4096) parameters {
+    using rgb = std::array<stream<float>, 3>;
+
+    stream<float> fraction;               // anything in [0,1): a weight, metallic, the roughness of a diffuse base, an anisotropy
+    stream<float> roughness;              // sqrt of a
+    stream<float> length;                 // of a mean normal
+    stream<float> eta, f0;                // of a glass
+    rgb metal_eta, metal_k;               // one of the five of lobe::materials
+    rgb metal_F0, metal_tint;             // Fresnel's reflectance along the normal, and that at 82 degrees over Schlick's
+    rgb E_avg;                            // average albedo of GGX of the width a with the reflectance F0
+    std::array<stream<float>, 4> slopes;  // of two facets; derivatives over a pixel
+};
+
 struct inputs {
     stream<float> vx, vy, vz, lx, ly, lz;  // view and light, both above the horizon, mirrored about a visible GGX normal
     stream<float> mx, my, mz;              // that normal
@@ -40,9 +57,12 @@ struct inputs {
     stream<float> r, g, b;                 // F0
     stream<std::uint32_t> index;           // of a point of a sequence of `points`
     std::uint32_t points = 0;
+    parameters more;
 
     const lobe::dfg_table<float, lobe::smith_correlated>* table = nullptr;
     const textbook_table* baked = nullptr;
+    const prebuilt<float>* built = nullptr;
+    const prebuilt<long double>* built_exactly = nullptr;
 };
 
 enum class set { usual, extreme };
@@ -50,3 +70,6 @@ enum class set { usual, extreme };
 /// usual: alpha evenly spread in the logarithm over [1e-3, 1]; 1024 points; turns anywhere.
 /// extreme: alpha 1e-4 (anisotropic: 1e-4 by up to 1); indices up to 2^32 - 1; turns within 1e-3 of a multiple of 1/4.
 inputs make_inputs(set which);
+
+/// Fills in E_avg, from the table.
+void set_average_albedos(inputs& in);

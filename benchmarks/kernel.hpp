@@ -3,10 +3,11 @@
 
 #include "inputs.hpp"
 
+#include <string>
 #include <vector>
 
 struct kernel {
-    const char* name;
+    std::string name;
     std::size_t components;  // of its result; 0 where there is nothing to compare
     /// Calls one element after the other, each call waiting for the one before. `zero` is 0 and the compiler does not know it.
     std::uint32_t (*one_at_a_time)(const inputs&, std::uint32_t zero);

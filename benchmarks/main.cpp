@@ -1,6 +1,8 @@
 // trade_report --out FILE [--benchmark_...]: measures every row and writes the report.
+#include "models.hpp"
 #include "report.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -81,10 +83,9 @@ results results_of(const kernel& k, const inputs& in) {
     return out;
 }
 
-const kernel* find(const std::vector<kernel>& kernels, const char* name) {
-    for (const kernel& k : kernels)
-        if (!std::strcmp(k.name, name)) return &k;
-    return nullptr;
+const kernel* find(const std::vector<kernel>& kernels, const std::string& name) {
+    const auto found = std::ranges::find(kernels, name, &kernel::name);
+    return found == kernels.end() ? nullptr : &*found;
 }
 
 void measure_errors(measurements& measured, const std::vector<section>& sections, const std::vector<kernel>& kernels,
@@ -92,21 +93,22 @@ void measure_errors(measurements& measured, const std::vector<section>& sections
     for (const section& s : sections)
         for (const row& r : s.rows) {
             const kernel* k = find(kernels, r.kernel);
-            if (!k) throw std::logic_error(std::string("no kernel ") + r.kernel);
+            if (!k) throw std::logic_error("no kernel " + r.kernel);
             if (!k->components) continue;
             const kernel* k2 = find(with_avx2, r.kernel);
             for (const auto& [in, errors] : {std::pair{&usual, &measured.usual}, {&extreme, &measured.extreme}}) {
                 const results values = results_of(*k, *in), values2 = k2 ? results_of(*k2, *in) : results();
-                for (const metric& m : s.metrics) {
-                    const error_summary e = error_of(m, r.exact, *in, values.data());
-                    (*errors)[r.kernel].push_back(e);
-                    if (!k2 || e.largest == 0) continue;
-                    const double factor = error_of(m, r.exact, *in, values2.data()).largest / e.largest;
-                    if (factor > measured.avx2_factor) {
-                        measured.avx2_factor = factor;
-                        measured.avx2_worst = std::string(s.title) + ": " + r.label;
+                for (const reference& against : r.references)
+                    for (const metric& m : s.metrics) {
+                        const error_summary e = error_of(m, against.exact, *in, values.data());
+                        (*errors)[r.kernel].push_back(e);
+                        if (!k2 || !(e.largest > 0)) continue;
+                        const double factor = error_of(m, against.exact, *in, values2.data()).largest / e.largest;
+                        if (factor > measured.avx2_factor) {
+                            measured.avx2_factor = factor;
+                            measured.avx2_worst = s.title + ": " + r.label;
+                        }
                     }
-                }
             }
         }
 }
@@ -125,11 +127,12 @@ std::map<std::string, timing> measure_times(const std::vector<kernel>& kernels, 
     volatile std::uint32_t zero = 0;
     std::vector<job> jobs;
     for (const kernel& k : kernels) {
-        jobs.push_back({std::string(k.name) + "/one", [&k, &in, &zero] { zero = zero & k.one_at_a_time(in, zero); }});
-        if (k.loop_is_timed) jobs.push_back({std::string(k.name) + "/loop", [&k, &in, out] { k.loop(in, out); }});
+        jobs.push_back({k.name + "/one", [&k, &in, &zero] { zero = zero & k.one_at_a_time(in, zero); }});
+        if (k.loop_is_timed) jobs.push_back({k.name + "/loop", [&k, &in, out] { k.loop(in, out); }});
     }
-    for (const kernel& k : with_avx2) jobs.push_back({std::string(k.name) + "/avx2", [&k, &in, out] { k.loop(in, out); }});
-    std::cerr << "Measuring " << jobs.size() << " times: about a minute on a quiet machine\n";
+    for (const kernel& k : with_avx2)
+        if (k.loop_is_timed) jobs.push_back({k.name + "/avx2", [&k, &in, out] { k.loop(in, out); }});
+    std::cerr << "Measuring " << jobs.size() << " times: a minute or two on a quiet machine\n";
     return measure(jobs);
 }
 
@@ -139,24 +142,34 @@ void run(int argc, char** argv) {
     const whole_file file(options.out);
 
     inputs usual = make_inputs(set::usual), extreme = make_inputs(set::extreme);
-    const auto table = lobe::bake_dfg<float>(lobe::smith_correlated{}, {.size = 32});
     const textbook_table baked = textbook_bake(32, 1024);
+    const prebuilt<float> built(0.3f), narrow(1e-4f);
+    const prebuilt<real> built_exactly(0.3f), narrow_exactly(1e-4f);
     for (inputs* in : {&usual, &extreme}) {
-        in->table = &table;
+        in->built = in == &usual ? &built : &narrow;
+        in->built_exactly = in == &usual ? &built_exactly : &narrow_exactly;
+        in->table = &in->built->dfg;
         in->baked = &baked;
+        set_average_albedos(*in);
     }
 
     std::vector<kernel> kernels = baseline_kernels();
     for (const kernel& k : quadrature_kernels()) kernels.push_back(k);
     const std::vector<kernel> with_avx2 = avx2();
-    const std::vector<section> all = sections();
+    const std::vector<section> foundation = sections();
+    std::vector<section> models;
+    for (const model_section& s : all_models()) {
+        models.push_back(s.rows);
+        kernels.insert(kernels.end(), s.kernels.begin(), s.kernels.end());
+    }
 
     measurements measured;
     measured.avx2 = !with_avx2.empty();
-    measure_errors(measured, all, kernels, with_avx2, usual, extreme);
+    measure_errors(measured, foundation, kernels, with_avx2, usual, extreme);
+    measure_errors(measured, models, kernels, with_avx2, usual, extreme);
     measured.times = measure_times(kernels, with_avx2, usual);
     std::ostringstream report;
-    write_report(report, all, measured);
+    write_report(report, foundation, models, measured);
     file.write(report.str());
     std::cout << "Wrote " << options.out << '\n';
 }

@@ -40,7 +40,7 @@ private:
 
 void set_benchmark_options(const std::vector<std::string>& arguments) {
     static std::vector<std::string> all{"trade_report", "--benchmark_enable_random_interleaving=true", "--benchmark_repetitions=11",
-                                        "--benchmark_min_time=0.02"};  // static: the library keeps a pointer
+                                        "--benchmark_min_time=0.008"};  // static: the library keeps a pointer
     all.insert(all.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     for (std::string& argument : all) argv.push_back(argument.data());

@@ -11,11 +11,13 @@
 
 struct measurements {
     std::map<std::string, timing> times;  // by job: the kernel's name and "/one", "/loop" or "/avx2"
-    /// By kernel: the errors of each metric of its row, for the usual and the extreme inputs.
+    /// By kernel: the errors of its row, for each reference those of each metric, for the usual and the extreme inputs.
     std::map<std::string, std::vector<error_summary>> usual, extreme;
     double avx2_factor = 0;  // the largest ratio of an error of the AVX2 build to that of the baseline, ...
     std::string avx2_worst;  // ... and whose
     bool avx2 = false;
 };
 
-void write_report(std::ostream& out, const std::vector<section>& sections, const measurements& measured);
+/// `foundation`: lobe's rows beside the textbook's. `models`: every model of the library.
+void write_report(std::ostream& out, const std::vector<section>& foundation, const std::vector<section>& models,
+                  const measurements& measured);

@@ -23,18 +23,23 @@ struct metric {
 
 using exact_result = void (*)(const inputs&, std::size_t i, truth::real* components);
 
-struct row {
-    const char* kernel;
-    const char* label;
-    const char* kind;  // of error: rounding, or what else the variant leaves out
+/// What a result is measured against, and what that shows: rounding, or what else the variant leaves out.
+struct reference {
+    std::string kind;
     exact_result exact;
 };
 
-struct section {
-    const char* title;
-    const char* note;
-    std::vector<metric> metrics;
-    std::vector<row> rows;  // lobe's first, the textbook form of the same second, approximations after them
+struct row {
+    std::string kernel, label;
+    std::vector<reference> references;
 };
 
+struct section {
+    std::string title, note;
+    std::vector<metric> metrics;
+    std::vector<row> rows;  // of the foundation: lobe's first, the textbook form of the same second, approximations after them
+    std::vector<std::vector<std::string>> extra = {};  // another table, its header first
+};
+
+/// The foundation, beside the forms that tutorials print.
 std::vector<section> sections();
