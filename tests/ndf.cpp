@@ -86,7 +86,7 @@ TEST_CASE("peaks and shapes, which normalisation cannot see", "[ndf]") {
         CHECK(lobe::hyper_cauchy{width, 3.0}.D(n) == Catch::Approx(2 * peak).epsilon(1e-14));
         CHECK(lobe::exponential_power{width, 0.5}.D(n) == Catch::Approx(peak / 2).epsilon(1e-14));  // Gamma(3)
         CHECK(lobe::gtr{width, 2.0}.D(n) == Catch::Approx(peak).epsilon(1e-14));
-        if (a < 0.7) CHECK(lobe::phong{width}.D(n) == Catch::Approx(peak).epsilon(1e-14));
+        CHECK(lobe::phong{width}.D(n) == Catch::Approx((1 + a * a) * peak).epsilon(1e-14));
         // Berry: (alpha^2 - 1)/(pi ln alpha^2), over alpha^2 at the peak; ABC at C = 0: D = 1/pi
         if (a < 1) CHECK(lobe::gtr{width, 1.0}.D(n) == Catch::Approx((a * a - 1) / (pi * std::log(a * a) * a * a)).epsilon(1e-13));
         CHECK(lobe::abc{width, 0.0}.D(n) == Catch::Approx(1 / pi).epsilon(1e-13));
@@ -121,7 +121,7 @@ TEST_CASE("peaks and shapes, which normalisation cannot see", "[ndf]") {
     CHECK(lobe::gtr{alpha{a}, 1.0}.D(m) == Catch::Approx((a * a - 1) / (pi * std::log(a * a)) / (a * a * c * c + s2)).epsilon(1e-12));
     const double C3 = 2 * (a * a - 1) / (pi * (1 - std::pow(a, -4)));
     CHECK(lobe::gtr{alpha{a}, 3.0}.D(m) == Catch::Approx(C3 / std::pow(a * a * c * c + s2, 3)).epsilon(1e-12));
-    const double n_phong = 1 / (2 * a * a) - 1;
+    const double n_phong = (1 / (a * a) - 1) / 2;
     CHECK(lobe::phong{alpha{a}}.D(m) == Catch::Approx(2 * (n_phong + 1) / pi * std::pow(2 * c * c - 1, n_phong)).epsilon(1e-12));
     const lobe::abc abc{alpha{a}, 2.5};
     CHECK(abc.D(m) / abc.D({0, 0, 1}) == Catch::Approx(std::pow(1 + 2 / (a * a) * (1 - c), -2.5)).epsilon(1e-12));
@@ -135,14 +135,18 @@ TEST_CASE("maps between widths and exponents", "[ndf]") {
     CHECK(lobe::exponent_from_alpha(alpha{0.3}) == Catch::Approx(20.2222222222222));  // -1.82 with the misprint 2 alpha^2 - 2
     CHECK(lobe::exponent_from_alpha(alpha{1.0}) == 0);
     for (double a : {0.001, 0.1, 1.0}) CHECK(lobe::alpha_from_exponent(lobe::exponent_from_alpha(alpha{a})).value() == Catch::Approx(a));
-    for (double a : {0.001, 0.1, 0.7}) CHECK(lobe::alpha_from_phong_exponent(lobe::phong_exponent_from_alpha(alpha{a})).value() == Catch::Approx(a));
+    for (double a : {0.001, 0.1, 1.0}) CHECK(lobe::alpha_from_phong_exponent(lobe::phong_exponent_from_alpha(alpha{a})).value() == Catch::Approx(a));
     CHECK(lobe::exponent_from_gloss(0.5, 1000.0) == Catch::Approx(31.6227766));
     CHECK(lobe::phong_shininess_from_exponent(lobe::exponent_from_phong_shininess(7.0)) == 7);
     const vec3<double> m = tilted(0.1);
     CHECK(lobe::blinn_phong<double>::from_exponent(50).D(m) == Catch::Approx(52 / (2 * pi) * std::pow(m.z, 50)));
     CHECK(lobe::phong<double>::from_exponent(50).D(m) == Catch::Approx(102 / pi * std::pow(2 * m.z * m.z - 1, 50)));
-    // four times the shininess: the same lobe at its peak, to 1/n
-    CHECK(lobe::exponent_from_phong_shininess(1000.0) + 2 == Catch::Approx(lobe::exponent_from_alpha(lobe::alpha_from_phong_exponent(1000.0)) + 2).epsilon(1e-3));
+    // four times the shininess is the same width
+    for (double n : {0.25, 7.0, 1000.0}) CHECK(lobe::exponent_from_alpha(lobe::alpha_from_phong_exponent(n)) == Catch::Approx(lobe::exponent_from_phong_shininess(n)));
+    CHECK(lobe::phong_exponent_from_alpha(alpha{1.0}) == 0);
+    // ... and the same lobe near the normal: ln(cos(2 theta)^n / cos(theta)^(4 n)) = -n theta^4 (1 + O(theta^2)), n = 49.5
+    const auto relative = [&](const auto& ndf) { return std::log(ndf.D(m) / ndf.D({0, 0, 1})); };
+    CHECK(relative(lobe::phong{alpha{0.1}}) - relative(lobe::blinn_phong{alpha{0.1}}) == Catch::Approx(-49.5e-4).epsilon(0.03));
 }
 
 TEST_CASE("every distribution: D agrees with the 50-digit tables at the extremes", "[ndf]") {
@@ -216,12 +220,12 @@ TEST_CASE("every distribution: projected_area is the area of the facets that fac
             const double away = area_facing_away(ndf, ax, ay, w), below = std::abs(ndf.projected_area(-w) - away),
                          above = std::abs(ndf.projected_area(w) - w.z - away);
             INFO("w.z " << w.z << ": " << ndf.projected_area(-w) << " against " << away);
-            double& so_far = stated == closed ? worst : worst_table;
+            double& so_far = stated == closed_error ? worst : worst_table;
             so_far = std::max(so_far, std::max(above, below) / allowed_area_error(ndf, stated));
             CHECK(std::max(above, below) < allowed_area_error(ndf, stated));
         }
     };
-    for (double a : {0.001, 0.03, 0.3, 0.69, 1.0}) {
+    for (double a : {0.001, 0.01, 0.1, 0.5, 1.0}) {
         every_isotropic(a, [&](const std::string& name, const auto& ndf, double stated) {
             INFO(name << " alpha " << a);
             if (name != "phong") compare(ndf, a, a, stated);  // the edge of its slopes cuts through the rule: see below
@@ -235,9 +239,71 @@ TEST_CASE("every distribution: projected_area is the area of the facets that fac
     CHECK(std::max(worst, worst_table) < 1);
 }
 
+namespace {
+
+/// The shapes of the distributions with a table: visit(name, shape of width a, stated error, make), make<T>(a) the distribution.
+template <class Visit>
+void every_tabulated(double a, const Visit& visit) {
+    const auto name = [](const char* of, double shape) { return std::string(of) + ' ' + std::to_string(shape); };
+    for (double p : {0.25, 0.5, 1.0, 2.0, 4.0})
+        visit(name("exponential_power", p), lobe::exponential_power_shape<double>(p), exponential_power_table_error,
+              [p]<class T>(T width) { return lobe::exponential_power{alpha<T>{width}, T(p)}; });
+    for (double g : {0.5, 1.0, 1.5, 2.0, 3.0, 5.0})
+        visit(name("gtr", g), lobe::gtr_shape<double>(a, g), table_error, [g]<class T>(T width) { return lobe::gtr{alpha<T>{width}, T(g)}; });
+    for (double C : {0.5, 1.0, 2.0, 3.0, 10.0})
+        visit(name("abc", C), lobe::abc_shape<double>(a, C), table_error, [C]<class T>(T width) { return lobe::abc{alpha<T>{width}, T(C)}; });
+    for (double p : {0.0, 0.5, 1.0, 2.0, 4.0})
+        visit(name("sgd", p), lobe::sgd_shape<double>(a, p), table_error, [p]<class T>(T width) { return lobe::sgd{alpha<T>{width}, T(p)}; });
+    visit("phong", lobe::phong_shape<double>(a), phong_table_error, []<class T>(T width) { return lobe::phong{alpha<T>{width}}; });
+}
+
+}  // namespace
+
+TEST_CASE("tables of projected areas: between the nodes as stated, and never off by 1e-4", "[ndf]") {
+    for (double a : {0.001, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 1.0})
+        every_tabulated(a, [&](const std::string& name, const auto& shape, double stated, const auto&) {
+            const lobe::tabulated<std::remove_cvref_t<decltype(shape)>, double> table_of(shape);
+            const double horizon = lobe::detail::back_by_quadrature(shape, 0.0).value;
+            double worst = 0;
+            for (int i = 0; i < 500; ++i) {
+                const double w = (i + 0.37) / 500, q = w / (1 - w), cot = 2 * horizon * q * q;
+                worst = std::max(worst, std::abs(table_of.back(cot) - lobe::detail::back_by_quadrature(shape, cot).value));
+            }
+            INFO(name << " alpha " << a << ": " << worst / horizon << " of the area along the horizon, absolute " << worst * a);
+            CHECK(worst <= stated * horizon);
+            CHECK(stated * horizon * a < 1e-4);
+        });
+}
+
+TEST_CASE("tables of projected areas in float are those in double", "[ndf]") {
+    // ten roundings of 2^-24: a node's position w in [0,1] to four, of which the area, twice that along the horizon over the length of w,
+    // feels twice as many; two of the sum with the cosine
+    random_numbers random(8);
+    for (float a : {1e-3f, 1e-2f, 0.1f, 0.5f, 1.0f})
+        every_tabulated(static_cast<double>(a), [&](const std::string& name, const auto&, double, const auto& make) {
+            const auto narrow = make(a);
+            const auto exact = make(static_cast<double>(a));
+            const double horizon = exact.projected_area({1, 0, 0});
+            double worst = 0;
+            bool finite = true;
+            for (int i = 0; i < 2000; ++i) {
+                const vec3<float> w = (i % 2 ? 1.0f : -1.0f) * (i % 4 < 2 ? random.grazing_direction<float>(1e-6) : random.direction<float>());
+                const float area = narrow.projected_area(w);
+                finite = finite && std::isfinite(area) && area >= 0 && std::isfinite(narrow.lambda(w));
+                worst = std::max(worst, std::abs(static_cast<double>(area) - exact.projected_area(vec3<double>(w))) /
+                                            (std::max(0.0, static_cast<double>(w.z)) + horizon));
+            }
+            for (const vec3<float>& w : {vec3<float>{0, 0, 1}, vec3<float>{0, 0, -1}, vec3<float>{1, 0, 0}, vec3<float>{0, -1, 0}, vec3<float>{1e-30f, 0, 1}})
+                finite = finite && std::isfinite(narrow.projected_area(w)) && narrow.projected_area(w) >= 0;
+            INFO(name << " alpha " << a << ": " << worst * 0x1p24 << " roundings");
+            CHECK(finite);
+            CHECK(worst <= 10 * 0x1p-24);
+        });
+}
+
 TEST_CASE("the projected area of Phong's facets, none of them steeper than 45 degrees", "[ndf]") {
     // (2/mu) int D sin (R - B atan2(R, B)) dtheta = Lambda, from 90 degrees less the view's angle to 45
-    for (double a : {0.01, 0.1, 0.5, 0.7})
+    for (double a : {0.001, 0.01, 0.1, 0.5, 0.9, 1.0})
         for (double mu : {0.999, 0.9, 0.5, 0.1, 0.001}) {
             const lobe::phong ndf{alpha{a}};
             const lobe::detail::gauss_legendre<double> rule(2000);
@@ -250,7 +316,7 @@ TEST_CASE("the projected area of Phong's facets, none of them steeper than 45 de
                     back += 2 * ndf.D({std::sin(theta), 0, c}) * std::sin(theta) * (R - B * std::atan2(R, B)) * rule.w[i] * 2 * x * (high - low);
                 }
             INFO("alpha " << a << " mu " << mu);
-            CHECK(std::abs(ndf.projected_area({sine, 0, mu}) - mu - back) < allowed_area_error(ndf, phong_table));
+            CHECK(std::abs(ndf.projected_area({sine, 0, mu}) - mu - back) < allowed_area_error(ndf, phong_table_error));
         }
 }
 
@@ -263,7 +329,7 @@ TEST_CASE("the reference values of Lambda, and the signed projection", "[ndf]") 
     CHECK(std::abs(lobe::exponential_power{a, 0.5}.lambda(v) - 0.2362238265) < 1e-7);
     random_numbers random(3);
     for (int i = 0; i < 20; ++i) {
-        const double width = random.log_between(1e-3, 0.7);
+        const double width = random.log_between(1e-3, 1);
         every_isotropic(width, [&](const std::string& name, const auto& ndf, double stated) {
             const vec3<double> w = random.direction();
             INFO(name << ' ' << width);
@@ -434,7 +500,7 @@ TEST_CASE("bad parameters of a distribution end in an assert", "[ndf]") {
     CHECK(aborts([] { (void)lobe::exponential_power(alpha{0.5}, 0.0); }));
     CHECK(aborts([=] { (void)lobe::exponential_power(alpha{0.5}, nan); }));
     CHECK(aborts([] { (void)lobe::blinn_phong(alpha{1.5}); }));
-    CHECK(aborts([] { (void)lobe::phong(alpha{0.8}); }));
+    CHECK(aborts([] { (void)lobe::phong(alpha{1.1}); }));
     CHECK(aborts([] { (void)lobe::gtr(alpha{1.5}, 2.0); }));
     CHECK(aborts([] { (void)lobe::gtr(alpha{0.5}, 0.0); }));
     CHECK(aborts([=] { (void)lobe::gtr(alpha{0.5}, nan); }));

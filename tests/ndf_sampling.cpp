@@ -1,4 +1,4 @@
-// Samples of distributions of normals: their density, their histogram, and the BRDFs that draw them.
+// Samples of distributions of normals: their density, and the BRDFs that draw them. (Histograms: chi_squared.cpp.)
 #include "catch.hpp"
 #include "ndf_support.hpp"
 
@@ -14,10 +14,7 @@ using lobe::vec3;
 
 namespace {
 
-constexpr double pi = 3.141592653589793;
-
-/// pdf * |d m / d u| - 1 by Richardson-extrapolated central differences, worst over random u. The error of the difference is
-/// (h/distance)^6, h = 4e-4, to whatever is not smooth: the edges of the square, and the u.x in `kinks`.
+/// pdf * |d m / d u| - 1, worst over random u away from what is not smooth: the edges of the square, and the u.x in `kinks`.
 template <class Map, class Pdf>
 double jacobian_error(Map map, Pdf pdf, std::uint64_t seed, int count, std::vector<double> kinks = {}) {
     random_numbers random(seed);
@@ -27,13 +24,7 @@ double jacobian_error(Map map, Pdf pdf, std::uint64_t seed, int count, std::vect
         bool smooth = true;
         for (double x : kinks) smooth = smooth && std::abs(u.x - x) > 0.01;
         if (!smooth) continue;
-        const auto derivative = [&](vec2<double> step) {
-            const auto central = [&](double h) { return (map(u + h * step) - map(u - h * step)) / (2 * h); };
-            const auto twice = [&](double h) { return (4.0 * central(h / 2) - central(h)) / 3.0; };
-            return (16.0 * twice(2e-4) - twice(4e-4)) / 15.0;
-        };
-        const double area = lobe::length(lobe::cross(derivative({1, 0}), derivative({0, 1})));
-        worst = std::max(worst, std::abs(pdf(map(u)) * area - 1));
+        worst = std::max(worst, std::abs(pdf(map(u)) * jacobian(map, u) - 1));
     }
     return worst;
 }
@@ -49,56 +40,6 @@ double share_below_cotangent(const N& ndf, double ax, double ay, const vec3<doub
         (std::hypot(m.x / ax, m.y / ay) < cot * m.z ? low : high) = x;
     }
     return low;
-}
-
-/// Chi-squared of 1e6 samples over cells of slopes: 20 rings of r/(1+r), 16 azimuths, the density integrated over each by 12 x 12
-/// Gauss points. Returns the chance that a right sampler is further off (Wilson & Hilferty).
-template <class Sample, class Pdf>
-double chi_squared_chance(Sample sample, Pdf pdf, double wx, double wy, std::uint64_t seed, int count = 1000000) {
-    constexpr int rings = 20, sectors = 16;
-    std::vector<double> expected(rings * sectors, 0), seen(rings * sectors, 0);
-    const lobe::detail::gauss_legendre<double> rule(12);
-    for (int ring = 0; ring < rings; ++ring)
-        for (int sector = 0; sector < sectors; ++sector)
-            for (std::size_t i = 0; i < 12; ++i)
-                for (std::size_t j = 0; j < 12; ++j) {
-                    // the last ring reaches to infinity, where the density may fall slowly: nodes crowd there, 1 - w = q^4
-                    const bool last = ring == rings - 1;
-                    const double q = 1 - rule.x[i], w = last ? 1 - q * q * q * q / rings : (ring + rule.x[i]) / rings, dw = last ? 4 * q * q * q : 1;
-                    const double r = w / (1 - w), phi = (sector + rule.x[j]) * 2 * pi / sectors;
-                    const double x = wx * r * std::cos(phi), y = wy * r * std::sin(phi), z = 1 / std::sqrt(1 + x * x + y * y);
-                    const double dm = dw * wx * wy * r * z * z * z / ((1 - w) * (1 - w)) * 2 * pi / (rings * sectors) * rule.w[i] * rule.w[j];
-                    expected[static_cast<std::size_t>(ring * sectors + sector)] += pdf(vec3<double>{x * z, y * z, z}) * dm * count;
-                }
-    random_numbers random(seed);
-    for (int k = 0; k < count; ++k) {
-        const double ux = random(), uy = random();
-        const vec3<double> m = sample(vec2<double>{ux, uy});
-        const double x = m.x / (wx * m.z), y = m.y / (wy * m.z), r = std::hypot(x, y), w = r / (1 + r);
-        double turn = std::atan2(y, x) / (2 * pi);
-        if (turn < 0) turn += 1;
-        const int ring = std::min(static_cast<int>(w * rings), rings - 1), sector = std::min(static_cast<int>(turn * sectors), sectors - 1);
-        ++seen[static_cast<std::size_t>(ring * sectors + sector)];
-    }
-    double chi2 = 0, rest_expected = 0, rest_seen = 0;
-    int cells = 0;
-    for (std::size_t c = 0; c < expected.size(); ++c) {
-        if (expected[c] < 20) {  // pooled
-            rest_expected += expected[c];
-            rest_seen += seen[c];
-            continue;
-        }
-        chi2 += (seen[c] - expected[c]) * (seen[c] - expected[c]) / expected[c];
-        ++cells;
-    }
-    if (rest_expected > 5) {
-        chi2 += (rest_seen - rest_expected) * (rest_seen - rest_expected) / rest_expected;
-        ++cells;
-    } else if (rest_seen > 40) {
-        return 0;
-    }
-    const double dof = cells - 1, t = (std::cbrt(chi2 / dof) - (1 - 2 / (9 * dof))) / std::sqrt(2 / (9 * dof));
-    return std::erfc(t / std::sqrt(2.0)) / 2;
 }
 
 /// E[weight] = albedo <= 1 by an independent integral, and weight * pdf = f_cos.
@@ -120,7 +61,7 @@ void expect_energy(const B& brdf, const vec3<double>& v, std::uint32_t count, do
 }  // namespace
 
 TEST_CASE("samples of all normals have the density they state", "[ndf]") {
-    for (double a : {0.001, 0.1, 0.69}) {
+    for (double a : {0.001, 0.1, 1.0}) {
         every_isotropic(a, [&](const std::string& name, const auto& ndf, double) {
             INFO(name << ' ' << a);
             const std::vector<double> kinks = name == "mixture" ? std::vector<double>{0.7} : std::vector<double>{};
@@ -148,7 +89,7 @@ TEST_CASE("samples of visible normals have the density they state", "[ndf]") {
                                  count, {kink}) < 1e-6);
         }
     };
-    for (double a : {0.001, 0.1, 0.69}) {
+    for (double a : {0.001, 0.1, 0.7, 1.0}) {
         INFO("alpha " << a);
         compare(lobe::beckmann{alpha{a}}, a, a, 200);
         compare(lobe::beckmann{alpha_xy{a, 0.3}}, a, 0.3, 200);
@@ -174,35 +115,6 @@ TEST_CASE("samples of visible normals have the density they state", "[ndf]") {
     }
 }
 
-TEST_CASE("a million samples follow the density", "[ndf]") {
-    // Each chance is uniform in [0,1] for a right sampler: below 1e-4 in one of ten thousand.
-    const auto expect_all_normals = [](const auto& ndf, double wx, double wy, std::uint64_t seed) {
-        INFO("case " << seed);
-        CHECK(chi_squared_chance([&](vec2<double> u) { return ndf.sample(u); }, [&](vec3<double> m) { return ndf.pdf(m); }, wx, wy, seed) > 1e-4);
-    };
-    const auto expect_visible = [](const auto& ndf, double wx, double wy, double mu, std::uint64_t seed, int count) {
-        const double s = std::sqrt((1 - mu) * (1 + mu));
-        const vec3<double> v{s * 0.8, s * 0.6, mu};
-        INFO("case " << seed);
-        CHECK(chi_squared_chance([&](vec2<double> u) { return ndf.sample_visible(v, u); }, [&](vec3<double> m) { return ndf.pdf_visible(v, m); }, wx, wy,
-                                 seed, count) > 1e-4);
-    };
-    expect_all_normals(lobe::beckmann{alpha_xy{0.3, 0.001}}, 0.3, 0.001, 1);
-    expect_all_normals(lobe::student_t{alpha{0.2}, 1.6}, 0.2, 0.2, 2);
-    expect_all_normals(lobe::blinn_phong{alpha{0.5}}, 0.5, 0.5, 3);
-    expect_all_normals(lobe::gtr{alpha{0.1}, 1.0}, 0.1, 0.1, 4);
-    expect_all_normals(lobe::phong{alpha{0.3}}, 0.3, 0.3, 5);
-    expect_all_normals(lobe::mixture{lobe::ggx{alpha{0.5}}, lobe::beckmann{alpha{0.1}}, 0.4}, 0.3, 0.3, 6);
-    expect_visible(lobe::beckmann{alpha_xy{0.3, 0.1}}, 0.3, 0.1, 0.5, 7, 1000000);
-    expect_visible(lobe::beckmann{alpha{0.001}}, 0.001, 0.001, 0.0017, 8, 1000000);
-    expect_visible(lobe::mixture{lobe::ggx{alpha{0.5}}, lobe::beckmann{alpha{0.1}}, 0.4}, 0.3, 0.3, 0.2, 9, 1000000);
-    expect_visible(lobe::student_t{alpha{0.5}, 1.75}, 0.5, 0.5, 0.4, 10, 1000000);
-    // numerically, at 20 microseconds each: fewer samples
-    expect_visible(lobe::exponential_power{alpha_xy{0.6, 0.2}, 0.5}, 0.6, 0.2, 0.1, 11, 50000);
-    expect_visible(lobe::gtr{alpha{0.3}, 1.0}, 0.3, 0.3, 0.3, 12, 50000);
-    expect_visible(lobe::sgd{alpha{0.3}, 1.5}, 0.3, 0.3, 0.3, 13, 20000);
-}
-
 TEST_CASE("samples at the corners of the square are unit and face the viewer", "[ndf]") {
     const float last = 0x1.fffffep-1f;
     const auto expect_sound = [&](const auto& ndf) {
@@ -217,7 +129,7 @@ TEST_CASE("samples at the corners of the square are unit and face the viewer", "
                     CHECK(lobe::dot(v, m) >= -1e-6f);
                 }
     };
-    for (float a : {1e-4f, 0.1f, 0.7f}) {
+    for (float a : {1e-4f, 0.1f, 1.0f}) {
         INFO("alpha " << a);
         expect_sound(lobe::beckmann{alpha{a}});
         expect_sound(lobe::student_t{alpha{a}, 1.75f});

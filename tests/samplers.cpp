@@ -1,6 +1,7 @@
-// Every sampler of half vectors: that its directions have the density it states, what it loses, and how much it varies.
+// Every sampler of half vectors: that its directions have the density it states (by their histogram too: chi_squared.cpp), what it loses,
+// and how much it varies.
 #include "catch.hpp"
-#include "support.hpp"
+#include "ndf_support.hpp"
 
 #include <lobe/brdf/ggx_samplers.hpp>
 #include <lobe/brdf/microfacet.hpp>
@@ -59,150 +60,7 @@ void for_each_sampler(const F& f) {
     f("all_normals", all_normals{});
 }
 
-/// The half vectors of the light directions in polar slopes (wx r cos phi, wy r sin phi), phi from where the horizon's circle
-/// bends sharply; bins of equal r^2/(1 + r^2), equal phi.
-class half_vector_bins {
-public:
-    static constexpr int radial = 24, azimuthal = 32;
-
-    half_vector_bins(const situation& s, const vec3<double>& view) : a(s), v(view) { origin = std::atan2(a.ay * v.y, a.ax * v.x) + pi / 2; }
-
-    std::size_t of(const vec3<double>& l) const {
-        const vec3<double> m = v + l;
-        const double x = m.x / (m.z * a.ax), y = m.y / (m.z * a.ay), r2 = x * x + y * y;
-        double turn = (std::atan2(y, x) - origin) / (2 * pi);
-        turn -= std::floor(turn);
-        const int i = std::min(static_cast<int>(r2 / (1 + r2) * radial), radial - 1),
-                  j = std::min(static_cast<int>(turn * azimuthal), azimuthal - 1);
-        return static_cast<std::size_t>(i * azimuthal + j);
-    }
-
-    /// int pdf dl over each bin, dl = 4 (v.m) dm, up to the horizon: with m = (r dx, r dy, 1), l.z > 0 is
-    /// vz |d|^2 r^2 - 2 r (d.v) - vz < 0, a circle. Gauss's rule of 24 x 12 nodes, crowded towards both edges in phi.
-    template <class B>
-    std::vector<double> probabilities(const B& brdf) const {
-        const lobe::detail::gauss_legendre<double> across(24), along(12);
-        std::vector<double> p(radial * azimuthal);
-        for (int j = 0; j < azimuthal; ++j)
-            for (std::size_t k = 0; k < across.x.size(); ++k) {
-                const double x = across.x[k], phi = origin + 2 * pi * (j + x * x * (3 - 2 * x)) / azimuthal;
-                const double d_phi = across.w[k] * 6 * x * (1 - x) * 2 * pi / azimuthal;
-                const double dx = a.ax * std::cos(phi), dy = a.ay * std::sin(phi), d2 = dx * dx + dy * dy, c = dx * v.x + dy * v.y;
-                const double root = std::sqrt(c * c + v.z * v.z * d2);
-                const double chi_max = std::atan(c > 0 ? (c + root) / (v.z * d2) : v.z / (root - c));
-                for (int i = 0; i < radial; ++i) {
-                    const auto edge = [&](int e) {
-                        return std::min(chi_max, e == radial ? pi / 2 : std::asin(std::sqrt(static_cast<double>(e) / radial)));
-                    };
-                    const double low = edge(i), wide = edge(i + 1) - low;
-                    for (std::size_t n = 0; n < along.x.size(); ++n) {
-                        const double r = std::tan(low + wide * along.x[n]), z = 1 / std::sqrt(1 + r * r * d2);
-                        const vec3<double> m{r * dx * z, r * dy * z, z}, l = lobe::reflect(v, m);
-                        const double dm = a.ax * a.ay * r * (1 + r * r) * z * z * z * along.w[n] * wide * d_phi;
-                        p[static_cast<std::size_t>(i * azimuthal + j)] += brdf.pdf(v, l) * 4 * lobe::dot(v, m) * dm;
-                    }
-                }
-            }
-        return p;
-    }
-
-private:
-    situation a;
-    vec3<double> v;
-    double origin;
-};
-
-/// P(chi^2 of this many degrees of freedom > x), by Wilson and Hilferty's cube root: right to 1 % of itself from 20 degrees on.
-double chi_squared_tail(double x, double degrees) {
-    const double t = 2 / (9 * degrees), z = (std::cbrt(x / degrees) - (1 - t)) / std::sqrt(t);
-    return std::erfc(z / std::sqrt(2.0)) / 2;
-}
-
-struct fit {
-    double p, success, integral;
-    int degrees;
-};
-
-/// Pearson's chi^2 of a million samples against the integrals of the pdf; failures are a bin of their own, and bins that
-/// expect fewer than 10 samples are merged.
-template <class B>
-fit chi_squared(const B& brdf, const situation& s, std::uint64_t seed) {
-    const vec3<double> v = at(s.mu);
-    const half_vector_bins bins(s, v);
-    std::vector<double> expected = bins.probabilities(brdf), counted(expected.size());
-    const int samples = 1000000;
-    random_numbers random(seed);
-    double failed = 0, integral = 0;
-    for (int i = 0; i < samples; ++i) {
-        const double u = random();
-        const auto drawn = brdf.sample(v, {u, random()});
-        if (drawn.pdf > 0)
-            ++counted[bins.of(drawn.l)];
-        else
-            ++failed;
-    }
-    for (const double p : expected) integral += p;
-    expected.push_back(std::max(0.0, 1 - integral));
-    counted.push_back(failed);
-    double chi2 = 0, merged_expected = 0, merged_counted = 0;
-    int used = 0;
-    const auto add = [&](double e, double c) {
-        chi2 += (c - e) * (c - e) / e;
-        ++used;
-    };
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-        const double e = expected[i] * samples;
-        if (e >= 10) {
-            add(e, counted[i]);
-            continue;
-        }
-        merged_expected += e;
-        merged_counted += counted[i];
-        if (merged_expected >= 10) {
-            add(merged_expected, merged_counted);
-            merged_expected = merged_counted = 0;
-        }
-    }
-    // what is left expects fewer than 10: more than 50 there cannot happen (1e-19), and would be a leak
-    if (merged_counted > 50) chi2 = 1e30;
-    return {chi_squared_tail(chi2, used - 1), 1 - failed / samples, integral, used - 1};
-}
-
-}  // namespace
-
-TEST_CASE("samples have the density that pdf states: chi-squared of a million", "[samplers]") {
-    // 1 % in all, shared by the tests that are made here (Bonferroni).
-    const double threshold = 0.01 / (4 * static_cast<double>(std::size(situations)));
-    std::uint64_t seed = 100;
-    for (const situation& s : situations)
-        for_each_sampler([&](const char* name, const auto& sampler) {
-            const fit f = chi_squared(mirror(s, sampler), s, ++seed);
-            INFO(name << " alpha " << s.ax << ' ' << s.ay << " mu " << s.mu << ": p " << f.p << " of " << f.degrees
-                      << " degrees; successes " << f.success << ", pdf integrates to " << f.integral);
-            CHECK(f.p > threshold);
-            CHECK(f.degrees > 100);
-            CHECK(f.integral < 1 + 1e-6);  // the quadrature's error
-            CHECK(std::abs(f.success - f.integral) < 5 * std::sqrt(std::max(1e-6, f.integral * (1 - f.integral)) / 1e6) + 1e-5);  // 5 sigma
-        });
-}
-
-TEST_CASE("the chi-squared can see: a wrong density fails it", "[samplers]") {
-    // visible normals drawn, another density of the same family stated
-    struct wrong : visible_caps {
-        double area(const ggx<double, alpha_xy<double>>& ndf, const vec3<double>& v, double v_m, double m_z, double sv) const {
-            return visible_bounded_caps{}.area(ndf, v, v_m, m_z, sv);
-        }
-    };
-    for (const situation& s : {situation{0.3, 0.3, 0.2}, situation{0.05, 0.05, 0.9}}) {
-        INFO(s.ax);
-        CHECK(chi_squared(mirror(s, wrong{}), s, 7).p < 1e-4);
-    }
-}
-
-namespace {
-
-/// pdf |dl/du| - 1, by Richardson-extrapolated central differences of the light direction, worst over random u where the
-/// light is above the horizon.
+/// pdf |dl/du| - 1, worst over random u where the light is above the horizon.
 template <class B, class Sampler>
 double jacobian_error(const B& brdf, const Sampler& sampler, const situation& s, std::uint64_t seed) {
     const ggx ndf{alpha_xy{s.ax, s.ay}};
@@ -216,13 +74,7 @@ double jacobian_error(const B& brdf, const Sampler& sampler, const situation& s,
         const vec3<double> l = light(u);
         if (!(l.z > 1e-3)) continue;
         ++tried;
-        const auto derivative = [&](const vec2<double>& step) {
-            const auto central = [&](double h) { return (light(u + h * step) - light(u - h * step)) / (2 * h); };
-            const auto twice = [&](double h) { return (4.0 * central(h / 2) - central(h)) / 3.0; };
-            return (16.0 * twice(2e-4) - twice(4e-4)) / 15.0;  // error (h/distance to the edge)^6, 4e-9 at u = 0.01
-        };
-        const double area = lobe::length(lobe::cross(derivative({1, 0}), derivative({0, 1})));
-        worst = std::max(worst, std::abs(brdf.pdf(v, l) * area - 1));
+        worst = std::max(worst, std::abs(brdf.pdf(v, l) * jacobian(light, u) - 1));
     }
     return tried ? worst : 1;
 }

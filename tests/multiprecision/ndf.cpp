@@ -9,6 +9,7 @@
 #include <lobe/ndf/gtr.hpp>
 #include <lobe/ndf/mixture.hpp>
 #include <lobe/ndf/phong.hpp>
+#include <lobe/ndf/sgd.hpp>
 #include <lobe/ndf/sggx.hpp>
 
 #include <boost/math/special_functions.hpp>
@@ -23,50 +24,84 @@ auto density(const Shape& shape, const Width& width, const vec3<typename Width::
     return lobe::radial_profile<Shape, typename Width::scalar>(shape).D(m, width);
 }
 
-/// The worst error of D in units of 1 + |ln(D pi a^2)| ULP.
+/// The worst error of D in units of 1 + |ln(D pi ax ay)| ULP, of the shapes that `make(a)` gives; on one width, or on two.
 template <class T, class MakeShape>
-double worst_density(const MakeShape& make, double widest, std::uint64_t seed) {
+double worst_density(const MakeShape& make, std::uint64_t seed, int count, bool anisotropic = false) {
     random_numbers random(seed);
     double worst = 0;
-    for (int i = 0; i < 3000; ++i) {
-        const T a = static_cast<T>(random.log_between(1e-4, widest));
+    for (int i = 0; i < count; ++i) {
+        const T a = static_cast<T>(random.log_between(1e-4, 1)), b = anisotropic ? static_cast<T>(random.log_between(1e-4, 1)) : a;
         const double s = random.log_between(1e-8, 1), phi = random.between(0, 6.28), scale = random.log_between(0.1, 2);
         const vec3<T> m{static_cast<T>(scale * s * std::cos(phi)), static_cast<T>(scale * s * std::sin(phi)),
                         static_cast<T>(scale * std::sqrt((1 - s) * (1 + s)))};
-        const digits50 truth = density(make(digits50(a)), lobe::alpha<digits50>(digits50(a)), exact(m));
+        const digits50 ax(a), ay(b), truth = density(make(ax), lobe::alpha_xy<digits50>(ax, ay), exact(m));
         // below the smallest number of the peak, D is zero or has few digits
-        if (!(truth * digits50(a) * digits50(a) > std::numeric_limits<T>::min())) continue;
-        const T value = density(make(a), lobe::alpha<T>(a), m);
-        const double conditioning = 1 + std::abs(std::log(static_cast<double>(truth) * 3.14159265 * static_cast<double>(a) * static_cast<double>(a)));
+        if (!(truth * ax * ay > std::numeric_limits<T>::min())) continue;
+        const T value = anisotropic ? density(make(a), lobe::alpha_xy<T>(a, b), m) : density(make(a), lobe::alpha<T>(a), m);
+        const double conditioning = 1 + std::abs(static_cast<double>(log(truth * lobe::pi<digits50>() * ax * ay)));
         worst = std::max(worst, ulps(value, truth) / conditioning);
     }
     return worst;
 }
 
+struct bound_on_density {
+    std::string name;
+    double worst, stated;
+};
+
 }  // namespace
 
 TEMPLATE_TEST_CASE("rounding errors of D", "[multiprecision][ndf]", float, double) {
     using T = TestType;
-    const auto value = [](auto a, double x) { return decltype(a)(x); };  // the shape parameter, exact in every type
-    const double beckmann = worst_density<T>([]<class U>(const U&) { return lobe::beckmann_shape<U>{}; }, 1, 1);
-    const double student = worst_density<T>([&]<class U>(const U& a) { return lobe::student_t_shape<U>(value(a, 2.5)); }, 1, 2);
-    const double blinn = worst_density<T>([]<class U>(const U& a) { return lobe::student_t_shape<U>::from_k(U(1) / (a * a)); }, 1, 3);
-    const double epd = worst_density<T>([&]<class U>(const U& a) { return lobe::exponential_power_shape<U>(value(a, 0.5)); }, 1, 4);
-    const double gtr = std::max({worst_density<T>([&]<class U>(const U& a) { return lobe::gtr_shape<U>(a, value(a, 1)); }, 1, 5),
-                                 worst_density<T>([&]<class U>(const U& a) { return lobe::gtr_shape<U>(a, value(a, 1.5)); }, 1, 5),
-                                 worst_density<T>([&]<class U>(const U& a) { return lobe::gtr_shape<U>(a, value(a, 3)); }, 1, 6)});
-    const double phong = worst_density<T>([]<class U>(const U& a) { return lobe::phong_shape<U>(a); }, 0.7, 7);
-    const double abc = worst_density<T>([&]<class U>(const U& a) { return lobe::abc_shape<U>(a, value(a, 1.5)); }, 1, 8);
-    INFO("in ULP per 1 + |ln|: Beckmann " << beckmann << ", Student-t " << student << ", Blinn-Phong " << blinn << ", EPD " << epd << ", GTR " << gtr
-                                         << ", Phong " << phong << ", ABC " << abc);
-    // exponentials: each of tau's five roundings is multiplied by |ln|, and cos^-4 moves ln D the other way
-    CHECK(beckmann <= 6);
-    CHECK(student <= 6);
-    CHECK(blinn <= 6);
-    CHECK(epd <= 6);
-    CHECK(gtr <= 8);
-    CHECK(phong <= 12);
-    CHECK(abc <= 8);
+    // tau carries six roundings (two squares, a sum, a width that is squared, a quotient) and ln D feels each times tau, or p tau, which
+    // is up to 2.5 more than |ln D| where cos^-4 moves D the other way
+    std::vector<bound_on_density> all;
+    // make(a, x): the shape of width a with the parameter x, which is exact in every type
+    const auto add = [&](const std::string& name, double parameter, double stated, const auto& make, bool invariant, int count = 1500) {
+        const auto shape = [&]<class U>(const U& a) { return make(a, U(parameter)); };
+        const std::string full = name + ' ' + std::to_string(parameter);
+        all.push_back({full, worst_density<T>(shape, all.size() + 1, count), stated});
+        if (invariant) all.push_back({full + ", anisotropic", worst_density<T>(shape, all.size() + 1, count, true), stated});
+    };
+    add("beckmann", 0, 10, []<class U>(const U&, const U&) { return lobe::beckmann_shape<U>{}; }, true);
+    for (double gamma : {1.625, 1.75, 2.0, 3.0, 10.0, 40.0})
+        add("student_t", gamma, 10, []<class U>(const U&, const U& x) { return lobe::student_t_shape<U>(x); }, true);
+    for (double p : {0.25, 0.5, 1.0, 2.0, 4.0})
+        add("exponential_power", p, 10 * std::max(1.0, p), []<class U>(const U&, const U& x) { return lobe::exponential_power_shape<U>(x); }, true);
+    add("blinn_phong", 0, 10, []<class U>(const U& a, const U&) { return lobe::student_t_shape<U>::from_k(U(1) / (a * a)); }, false);
+    for (double gamma : {0.5, 1.0, 1.5, 2.0, 3.0, 5.0})
+        add("gtr", gamma, 12, []<class U>(const U& a, const U& x) { return lobe::gtr_shape<U>(a, x); }, false);
+    for (double C : {0.5, 1.0, 1.5, 2.0, 3.0, 10.0})
+        add("abc", C, 12, []<class U>(const U& a, const U& x) { return lobe::abc_shape<U>(a, x); }, false);
+    for (double p : {0.0, 0.5, 1.0, 2.0, 4.0})
+        add("sgd", p, std::same_as<T, float> ? 10 : 10 + 1e-14 / 0x1p-53, []<class U>(const U& a, const U& x) { return lobe::sgd_shape<U>(a, x); }, false, 500);
+    for (const auto& [name, worst, stated] : all) {
+        INFO(name << ": " << worst << " ULP per 1 + |ln(D pi alpha^2)|");
+        CHECK(worst <= stated);
+    }
+}
+
+TEMPLATE_TEST_CASE("Phong's D up to 45 degrees", "[multiprecision][ndf]", float, double) {
+    using T = TestType;
+    random_numbers random(10);
+    double worst = 0, transcribed = 0;
+    for (int i = 0; i < 5000; ++i) {
+        const T a = static_cast<T>(i % 2 ? random.log_between(1e-2, 1) : random.between(0.9, 1));
+        const double theta = 0.7853981633974483 - random.log_between(std::same_as<T, float> ? 1e-6 : 1e-14, 0.7), phi = random.between(0, 6.28);
+        const vec3<T> m{static_cast<T>(std::sin(theta) * std::cos(phi)), static_cast<T>(std::sin(theta) * std::sin(phi)), static_cast<T>(std::cos(theta))};
+        const vec3<digits50> w = exact(m);
+        const lobe::alpha<digits50> width{digits50(a)};
+        const digits50 r2 = w.x * w.x + w.y * w.y, z2 = w.z * w.z, cosine = (z2 - r2) / (z2 + r2), D = density(lobe::phong_shape(width.value()), width, w);
+        const digits50 of_peak = D * lobe::pi<digits50>() * width.value() * width.value();
+        if (!(cosine > 16 * std::numeric_limits<T>::epsilon()) || !(of_peak > std::numeric_limits<T>::min())) continue;
+        const digits50 n = lobe::phong_exponent_from_alpha(width), printed = 2 * (n + 1) / lobe::pi<digits50>() * pow(cosine, n);
+        const double conditioning = (1 + std::abs(static_cast<double>(log(of_peak)))) / static_cast<double>(cosine);
+        worst = std::max(worst, ulps(density(lobe::phong_shape<T>(a), lobe::alpha<T>(a), m), D) / conditioning);
+        transcribed = std::max(transcribed, static_cast<double>(abs(D / printed - 1)) / conditioning);
+    }
+    INFO(worst << " ULP per (1 + |ln(D pi alpha^2)|) / cos(2 theta); printed " << transcribed);
+    CHECK(worst <= 10);
+    CHECK(transcribed < 1e-48);
 }
 
 TEST_CASE("rounding errors of closed projected areas and Lambda", "[multiprecision][ndf]") {
@@ -109,6 +144,16 @@ TEST_CASE("rounding errors of closed projected areas and Lambda", "[multiprecisi
     CHECK(student_lambda < 1e-12);
     CHECK(flakes <= 16);
     CHECK(flakes_area <= 6);
+}
+
+TEST_CASE("SGD on 50 digits is normalised by the exponential integral", "[multiprecision][ndf]") {
+    // Gamma(1-p, a) = a^(1-p) E_p(a), and erfc for p = 1/2: Boost's, not ours. At the normal D = exp(-a) a^-p / (pi a Gamma a^(1-p)).
+    for (const char* width : {"0.001", "0.1", "0.9", "1.5"}) {
+        const digits50 a(width), flat = exp(-a) / (lobe::pi<digits50>() * a);
+        const auto peak = [&](const digits50& p) { return density(lobe::sgd_shape(a, p), lobe::alpha<digits50>(a), {digits50(0), digits50(0), digits50(1)}); };
+        for (unsigned p : {1u, 2u, 4u}) CHECK(abs(peak(digits50(p)) * a * boost::math::expint(p, a) / flat - 1) < digits50("1e-45"));
+        CHECK(abs(peak(digits50("0.5")) * sqrt(a * lobe::pi<digits50>()) * erfc(sqrt(a)) / flat - 1) < digits50("1e-45"));
+    }
 }
 
 TEST_CASE("families meet on 50 digits", "[multiprecision][ndf]") {

@@ -70,14 +70,17 @@ auto integral_between(const T& low, const T& high, const G& g) {
     return total * (width * quarter * step);
 }
 
-/// int g(x) dx over low < x < high for a g that is nearly a polynomial there: Gauss-Legendre, 8 evaluations.
+/// int g(x) dx from low to high for a g that is nearly a polynomial in each of `panels` parts: Gauss-Legendre, 8 evaluations a part.
 template <single T, class G>
-T short_integral(const T& low, const T& high, const G& g) {
+T short_integral(const T& low, const T& high, int panels, const G& g) {
     constexpr double node[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
     constexpr double weight[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
-    const T middle = (low + high) / T(2), half = (high - low) / T(2);
+    const T half = (high - low) / T(2 * panels);
     T total(0);
-    for (std::size_t i = 0; i < 4; ++i) total += T(weight[i]) * (g(middle - half * T(node[i])) + g(middle + half * T(node[i])));
+    for (int panel = 0; panel < panels; ++panel) {
+        const T middle = low + T(2 * panel + 1) * half;
+        for (std::size_t i = 0; i < 4; ++i) total += T(weight[i]) * (g(middle - half * T(node[i])) + g(middle + half * T(node[i])));
+    }
     return total * half;
 }
 
@@ -87,21 +90,23 @@ struct value_and_slope {
 };
 
 /// The x in [low, high] where an increasing function is zero; `f(x)` returns its value and slope. Newton's method, bisecting
-/// where Newton leaves the bracket. Error: the rounding of f over its slope, or 4 ULP of the bracket's ends.
+/// where Newton leaves the bracket, until steps are small enough for the next, as small as their square, not to show. Error: the
+/// rounding of f over its slope, or 4 ULP of the bracket's ends.
 template <single T, class F>
 T root_of_increasing(T low, T high, T x, const F& f) {
-    using std::abs;
-    const T precision = T(4) * std::numeric_limits<T>::epsilon();
+    using std::abs, std::sqrt;
+    const T epsilon = std::numeric_limits<T>::epsilon(), precision = T(4) * epsilon, small = sqrt(epsilon) / T(8);
     if (!(x > low && x < high)) x = (low + high) / T(2);
     for (int i = 0; i < 100; ++i) {
         const value_and_slope<T> here = f(x);
         if (here.value == T(0)) break;
         (here.value < T(0) ? low : high) = x;
         const T newton = x - here.value / here.slope;
-        const T next = newton > low && newton < high ? newton : (low + high) / T(2);
+        const bool inside = newton > low && newton < high;
+        const T next = inside ? newton : (low + high) / T(2);
         const T step = abs(next - x);
         x = next;
-        if (!(step > precision * abs(x)) || !(high - low > precision * max(abs(low), abs(high)))) break;
+        if (!(step > (inside ? small : precision) * abs(x)) || !(high - low > precision * max(abs(low), abs(high)))) break;
     }
     return x;
 }

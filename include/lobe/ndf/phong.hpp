@@ -7,17 +7,18 @@
 
 namespace lobe {
 
-/// n = 1/(2 alpha^2) - 1: the exponent of Phong's lobe whose peak is that of GGX of width alpha, 1/(pi alpha^2).
+/// n = (1/alpha^2 - 1)/2: the exponent of the r.v lobe that resembles Blinn-Phong of width alpha, whose n.h exponent is four
+/// times it. Fisher & Woo 1994, "R.E versus N.H Specular Highlights".
 template <scalar T>
 constexpr T phong_exponent_from_alpha(const alpha<T>& a) {
-    return T(1) / (T(2) * a.value() * a.value()) - T(1);
+    return (T(1) - a.value()) * (T(1) + a.value()) / (T(2) * a.value() * a.value());
 }
 
-/// alpha = 1/sqrt(2 (n + 1)), n >= 0: its inverse.
+/// alpha = 1/sqrt(2 n + 1), n >= 0: its inverse.
 template <scalar T>
 constexpr alpha<T> alpha_from_phong_exponent(const T& n) {
     using std::sqrt;
-    return alpha<T>(T(1) / sqrt(T(2) * (n + T(1))));
+    return alpha<T>(T(1) / sqrt(T(2) * n + T(1)));
 }
 
 /// Phong's lobe, its slopes divided by alpha. t = alpha^2 tau is tan(theta)^2, and cos(2 theta) = (1 - t)/(1 + t).
@@ -26,31 +27,31 @@ class phong_shape {
 public:
     constexpr explicit phong_shape(const T& width) : a2(width * width) {
         assert(all(a2 > T(0)));
-        assert(all(a2 <= T(1) / T(2)));
+        assert(all(a2 <= T(1)));
     }
 
-    /// cos(2 theta)^n (sec2/(1 + t))^2 / pi.
+    /// (1 + alpha^2)/pi cos(2 theta)^n (sec2/(1 + t))^2.
     constexpr T D(const T& tau, const T& sec2) const {
         using std::exp, std::log1p;
-        const T t = a2 * tau, ratio = sec2 / (T(1) + t), inside = min(t, T(1));
-        const T n = T(1) / (T(2) * a2) - T(1);
-        return select(t < T(1), ratio * ratio * exp(n * (log1p(-inside) - log1p(inside))) * inv_pi<T>(), T(0));
+        const T t = a2 * tau, ratio = sec2 / (T(1) + t), inside = select(t < T(1), t, T(0));
+        const T n = (T(1) - a2) / (T(2) * a2), peak = (T(1) + a2) * inv_pi<T>();
+        return select(t < T(1), peak * ratio * ratio * exp(n * (log1p(-inside) - log1p(inside))), T(0));
     }
 
-    /// cos(2 theta)^(n + 1).
+    /// cos(2 theta)^(n + 1), n + 1 = (1 + alpha^2)/(2 alpha^2).
     constexpr T survival(const T& tau) const {
         using std::exp, std::log1p;
         const T t = min(a2 * tau, T(1));
-        return exp((log1p(-t) - log1p(t)) / (T(2) * a2));
+        return exp((log1p(-t) - log1p(t)) * ((T(1) + a2) / (T(2) * a2)));
     }
     constexpr T tan2(const T& u) const {
         using std::log1p, std::tanh;
-        return tanh(-a2 * log1p(-u)) / a2;
+        return tanh(-log1p(-u) * (a2 / (T(1) + a2))) / a2;
     }
     /// 45 degrees, or where less than 1e-26 is steeper.
     constexpr T max_tan2() const {
         using std::tanh;
-        return tanh(T(60) * a2) / a2;
+        return tanh(T(60) * (a2 / (T(1) + a2))) / a2;
     }
 
     template <scalar U>
@@ -67,12 +68,12 @@ private:
     T a2;
 };
 
-/// Phong: D = 2 (n + 1)/pi max(0, cos 2 theta_m)^n, n = 1/(2 alpha^2) - 1: seen from the normal, the mirror of such facets is Phong's own
-/// lobe (r.v)^n, r.v = cos 2 theta_m. Phong 1975, "Illumination for Computer Generated Pictures", gave the lobe and no surface; this is
-/// the one that has it, normalised. Its facets are tilted by less than 45 degrees. Practice pairs it with another's
-/// masking: `masked_by{phong{a}, ggx{a}}`. Not shape-invariant: only `alpha`.
-/// Domain: 0 < alpha <= 1/sqrt(2) (n >= 0). D in 1/sr. Projected area, Lambda, visible normals: scalar types only, from a
-/// table that the constructor builds (once, not per pixel). Error of D: 12 (1 + |ln(D pi alpha^2)|) ULP; of the
+/// Phong: D = 2 (n + 1)/pi max(0, cos 2 theta_m)^n, n = (1/alpha^2 - 1)/2, so 2 (n + 1) = (1 + alpha^2)/alpha^2: seen from the normal, the
+/// mirror of such facets is Phong's own lobe (r.v)^n, r.v = cos 2 theta_m. Phong 1975, "Illumination for Computer Generated Pictures",
+/// gave the lobe and no surface; this is the one that has it, normalised. Its facets are tilted by less than 45 degrees, at alpha = 1
+/// evenly up to there. Practice pairs it with another's masking: `masked_by{phong{a}, ggx{a}}`. Not shape-invariant: only `alpha`.
+/// Domain: 0 < alpha <= 1 (n >= 0). D in 1/sr. Projected area, Lambda, visible normals: scalar types only, from a
+/// table that the constructor builds (once, not per pixel). Error of D: 10 (1 + |ln(D pi alpha^2)|) / cos(2 theta_m) ULP; of the
 /// projected area: 3e-5 of that along the horizon.
 template <scalar T>
 class phong : public radial<tabulated<phong_shape<T>, T>, alpha<T>> {

@@ -68,7 +68,7 @@ value_and_slope<T> back_by_quadrature(const Shape& shape, const T& a) {
 /// at grazing angles, none from above.
 template <class Shape, single T>
 vec3<T> sample_visible_radial(const Shape& shape, const T& back, const vec3<T>& v, const vec2<T>& u) {
-    using std::abs, std::atan2, std::cos, std::exp, std::expm1, std::log, std::log1p, std::sin, std::sqrt;
+    using std::abs, std::asinh, std::atan2, std::cos, std::log, std::sin, std::sinh, std::sqrt;
     const T z = v.z, s = sqrt(v.x * v.x + v.y * v.y), cot = s > T(0) ? z / s : T(0), a = max(cot, -cot);
     const T sigma = max(z, T(0)) + s * back;
     const T steeper = s > T(0) ? shape.survival(a * a) : T(0), gentle = max(z, T(0)) * (T(1) - steeper);
@@ -77,29 +77,30 @@ vec3<T> sample_visible_radial(const Shape& shape, const T& back, const vec3<T>& 
     if (u.x * sigma < gentle) {
         r = sqrt(shape.tan2(u.x * sigma / z));
     } else {
-        // in y = ln(1 + R^2), R^2 = r^2 - cot^2, where the logarithm of the share is nearly a line or an exponential
+        // in x = asinh(R), R^2 = r^2 - cot^2: the integrand is smooth near R = 0, and far away the logarithm of the share is
+        // nearly a line
         const auto visible = [&](const T& R) { return (z * atan2(R, -cot) + s * R) / pi<T>(); };
-        const auto density = [&](const T& y) {
-            const T R2 = expm1(y);
-            return visible(sqrt(R2)) * pi<T>() * slope_density(shape, a * a + R2) * (T(1) + R2);
+        const auto density = [&](const T& x) {
+            const T R = sinh(x);
+            return visible(R) * (T(2) * pi<T>() * slope_density(shape, a * a + R * R) * R * sqrt(T(1) + R * R));
         };
         const T wanted = max((T(1) - u.x) * sigma, (std::numeric_limits<T>::min)());
-        T known_y(-1), known_share(0), known_slope(0);
-        const auto excess = [&](const T& y) {
-            // a short step from where the share is known costs less than the whole tail
-            const bool near = known_y >= T(0) && abs(y - known_y) < T(0.5f) && abs(y - known_y) * known_slope < T(1);
-            const T share = near ? known_share - short_integral(known_y, y, density)
-                                 : average_over_steep(shape, a, T(sqrt(expm1(y))), visible);
+        T known_x(-1), known_share(0), known_slope(0);
+        const auto excess = [&](const T& x) {
+            // a few short steps from where the share is known cost less than the whole tail
+            const T steps = abs(x - known_x) * max(T(1), known_slope) * T(4);
+            const T share = known_x >= T(0) && steps < T(9) ? known_share - short_integral(known_x, x, static_cast<int>(steps) + 1, density)
+                                                            : average_over_steep(shape, a, T(sinh(x)), visible);
             if (!(share > T(0))) return value_and_slope<T>{T(1), T(1)};
-            known_y = y, known_share = share, known_slope = density(y) / share;
+            known_x = x, known_share = share, known_slope = density(x) / share;
             return value_and_slope<T>{log(wanted / share), known_slope};
         };
-        T widest(230);
-        if constexpr (requires { shape.max_tan2(); }) widest = log1p(max(T(shape.max_tan2()) - a * a, T(0)));
+        T widest(115);
+        if constexpr (requires { shape.max_tan2(); }) widest = asinh(sqrt(max(T(shape.max_tan2()) - a * a, T(0))));
         const T steep = sigma - gentle, guess = shape.tan2(T(1) - steeper * min(wanted / steep, T(1))) - a * a;
-        const T R2 = expm1(root_of_increasing<T>(T(0), widest, log1p(max(guess, T(0))), excess));
-        r = sqrt(a * a + R2);
-        phi_max = atan2(sqrt(R2), -cot);
+        const T R = sinh(root_of_increasing<T>(T(0), widest, asinh(sqrt(max(guess, T(0)))), excess));
+        r = sqrt(a * a + R * R);
+        phi_max = atan2(R, -cot);
     }
 
     const T range = z * phi_max + s * r * sin(phi_max), wanted = (T(2) * u.y - T(1)) * range;
