@@ -47,39 +47,55 @@ auto scalar_of_distribution() {
         return float{};
 }
 
+/// A stranger's functions, those that exist; `area` is whichever of projected area, Lambda and G1 there is.
+template <class T>
+struct distribution_interface {
+    using V = vec3<T>;
+    std::function<double(const V&)> D, area, lambda, pdf;
+    std::function<V(const vec2<T>& u)> sample;
+    std::function<V(const V& v, const vec2<T>& u)> sample_visible;
+    std::function<double(const V& v, const V& m)> pdf_visible;
+    bool area_everywhere = false, isotropic = false;
+};
+
 template <class N>
-class distribution_judge {
+auto interface_of_distribution(const N& n) {
     using T = decltype(scalar_of_distribution<N>());
     using V = vec3<T>;
-    static constexpr bool has_area = requires(const N n, const V w) {
-        { n.projected_area(w) } -> std::convertible_to<double>;
-    };
-    static constexpr bool has_lambda = requires(const N n, const V w) {
-        { n.lambda(w) } -> std::convertible_to<double>;
-    };
-    static constexpr bool has_G1 = requires(const N n, const V w) {
-        { n.G1(w) } -> std::convertible_to<double>;
-    };
-    static constexpr bool has_sample = requires(const N n, const vec2<T> u) {
-        { n.sample(u) } -> std::convertible_to<V>;
-    };
-    static constexpr bool has_pdf = requires(const N n, const V m) {
-        { n.pdf(m) } -> std::convertible_to<double>;
-    };
-    static constexpr bool has_visible = requires(const N n, const V w, const vec2<T> u) {
-        { n.sample_visible(w, u) } -> std::convertible_to<V>;
-    };
-    static constexpr bool has_visible_pdf = requires(const N n, const V w) {
-        { n.pdf_visible(w, w) } -> std::convertible_to<double>;
-    };
+    using U = vec2<T>;
+    distribution_interface<T> out;
+    out.D = [&n](const V& m) { return static_cast<double>(call_D(n, m)); };
+    if constexpr (requires(const V w) { n.lambda(w); }) {
+        out.lambda = [&n](const V& w) { return static_cast<double>(n.lambda(w)); };
+        out.area = [&n](const V& w) { return static_cast<double>(w.z) * (1 + static_cast<double>(n.lambda(w))); };
+    } else if constexpr (requires(const V w) { n.G1(w); }) {
+        out.area = [&n](const V& w) { return static_cast<double>(w.z) / static_cast<double>(n.G1(w)); };
+    }
+    if constexpr (requires(const V w) { n.projected_area(w); }) {
+        out.area = [&n](const V& w) { return static_cast<double>(n.projected_area(w)); };
+        out.area_everywhere = true;
+    }
+    if constexpr (requires(const V m) { n.pdf(m); }) out.pdf = [&n](const V& m) { return n.pdf(m); };
+    if constexpr (requires(const U u) { n.sample(u); }) out.sample = [&n](const U& u) { return V(n.sample(u)); };
+    if constexpr (requires(const V v, const U u) { n.sample_visible(v, u); })
+        out.sample_visible = [&n](const V& v, const U& u) { return V(n.sample_visible(v, u)); };
+    if constexpr (requires(const V v) { n.pdf_visible(v, v); })
+        out.pdf_visible = [&n](const V& v, const V& m) { return static_cast<double>(n.pdf_visible(v, m)); };
+    if constexpr (requires {
+                      { N::isotropic } -> std::convertible_to<bool>;
+                  })
+        out.isotropic = N::isotropic;
+    return out;
+}
+
+template <class T>
+class distribution_judge {
+    using V = vec3<T>;
 
 public:
-    distribution_judge(const N& judged, const options& o) : n(judged), options_(o), budget_(budget_of(o.effort)) {
-        if constexpr (requires {
-                          { N::isotropic } -> std::convertible_to<bool>;
-                      })
-            isotropic = N::isotropic;
-        isotropic = o.isotropic.value_or(isotropic);
+    distribution_judge(distribution_interface<T> judged, const options& o)
+        : n(std::move(judged)), options_(o), budget_(budget_of(o.effort)), isotropic(o.isotropic.value_or(n.isotropic)) {
+        if (!o.area_below) n.area_everywhere = false;
     }
 
     report verdict() {
@@ -91,8 +107,8 @@ public:
         report all(options_.name);
         all.add({{"D is not always 0", largest, largest, 0, "", "D returned 0 for every normal: nothing can be verified"}, largest > 0});
         of_D.report_to(all);
-        if constexpr (has_area || has_lambda || has_G1) of_area.report_to(all, false);
-        if constexpr (has_sample || has_visible) {
+        if (n.area) of_area.report_to(all, false);
+        if (n.sample || n.sample_visible) {
             const bool unit = std::abs(worst_length - 1) <= unit_tolerance;
             all.add({{"sampled normals are unit", worst_length, 1, unit_tolerance, unit ? "" : length_place.text(),
                       "a normal that is not normalised, or the root of a negative number"},
@@ -106,32 +122,22 @@ private:
     double D(const V& m) {
         last = {m, {}, {}, false};
         ++of_D.calls;
-        const double d = of_D.see(static_cast<double>(call_D(n, m)), last, m.z < T(0));
+        const double d = of_D.see(n.D(m), last, m.z < T(0));
         largest = std::max(largest, d);
         return d;
     }
 
-    /// The projected area, by whichever function there is.
     double area(const V& w) {
         last = {w, {}, {}, false};
         ++of_area.calls;
-        const double z = static_cast<double>(w.z);
-        if constexpr (has_area)
-            return of_area.see(static_cast<double>(n.projected_area(w)), last, false);
-        else if constexpr (has_lambda)
-            return z * (1 + of_area.see(static_cast<double>(n.lambda(w)), last, false));
-        else if constexpr (has_G1)
-            return z / of_area.see(static_cast<double>(n.G1(w)), last, false);
-        else
-            return std::numeric_limits<double>::quiet_NaN();
+        return of_area.see(n.area(w), last, false);
     }
 
     void sweep() {
         for (const double azimuth : {0.0, 1.0, tau / 4, tau / 2, -2.0}) {
             for (const double z : {1.0, 1 - 1e-7, 0.999, 0.7, 0.3, 0.1, 1e-2, 1e-4, 1e-6, 0.0, -1e-6, -0.3, -1.0}) {
                 D(direction<T>(z, azimuth));
-                if constexpr (has_area || has_lambda || has_G1)
-                    if (z > 0 || (has_area && options_.area_below)) area(direction<T>(z, azimuth));
+                if (n.area && (z > 0 || n.area_everywhere)) area(direction<T>(z, azimuth));
             }
             for (double tilt = 1e-8; tilt < 0.3; tilt *= 10)
                 D(V(std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth), std::cos(tilt)));
@@ -140,8 +146,8 @@ private:
         for (const double x : edges)
             for (const double y : edges) {
                 const vec2<T> u{below_one<T>(x), below_one<T>(y)};
-                if constexpr (has_sample) draw(u);
-                if constexpr (has_visible)
+                if (n.sample) draw(u);
+                if (n.sample_visible)
                     for (const double z : {1.0, 0.5, 1e-2, 1e-6}) draw_visible(direction<T>(z, 1.0), u);
             }
     }
@@ -187,11 +193,11 @@ private:
     }
 
     void areas() {
-        if constexpr (has_area || has_lambda || has_G1) {
+        if (n.area) {
             per_view identity(
                 "projected area = integral of max(0, v.m) D",
                 "the masking belongs to another distribution or width, or is an approximation (then ask for a larger tolerance)");
-            for (const V& v : views(has_area && options_.area_below)) {
+            for (const V& v : views(n.area_everywhere)) {
                 const auto [exact, error] = area_by_quadrature(normalize(vec3<double>(v)));
                 // Below the horizon the area is what rounding leaves of the area above: relative to |cos|, too.
                 const double size = std::max(exact, std::abs(static_cast<double>(v.z)) * 1e-3);
@@ -199,28 +205,17 @@ private:
             }
             identity.report_to(r);
         }
-        if constexpr (has_area && has_lambda) {
+        if (n.area && n.lambda) {
             comparison<T> both("projected area = cos (1 + Lambda)", options_.tolerance,
                                "the two are formulas of different widths or models");
-            for (const V& v : views(false))
-                both.add(static_cast<double>(v.z) * (1 + static_cast<double>(n.lambda(v))), area(v), {v, {}, {}, false});
+            for (const V& v : views(false)) both.add(static_cast<double>(v.z) * (1 + n.lambda(v)), area(v), {v, {}, {}, false});
             both.report_to(
                 r, [&](const place<T>& at, std::size_t) { return 2 * rounding_noise([&](const V& v, const V&) { return area(v); }, at); });
         }
     }
 
-    std::optional<V> draw(const vec2<T>& u) {
-        if constexpr (has_sample)
-            return checked(n.sample(u), {{}, {}, u, false, true});
-        else
-            return std::nullopt;
-    }
-    std::optional<V> draw_visible(const V& v, const vec2<T>& u) {
-        if constexpr (has_visible)
-            return checked(n.sample_visible(v, u), {v, {}, u, false, true});
-        else
-            return std::nullopt;
-    }
+    std::optional<V> draw(const vec2<T>& u) { return checked(n.sample(u), {{}, {}, u, false, true}); }
+    std::optional<V> draw_visible(const V& v, const vec2<T>& u) { return checked(n.sample_visible(v, u), {v, {}, u, false, true}); }
     std::optional<V> checked(const V& m, const place<T>& at) {
         last = at;
         const double size = std::hypot(static_cast<double>(m.x), static_cast<double>(m.y), static_cast<double>(m.z));
@@ -231,24 +226,19 @@ private:
     static std::array<double, 3> moments(const vec3<double>& m) { return {std::abs(m.x), std::abs(m.y), m.z}; }
 
     void all_normals() {
-        if constexpr (has_pdf) {
+        if (n.pdf) {
             comparison<T> product("pdf = D cos(theta)", options_.tolerance, "the density of normals is D cos(theta_m), in 1/sr");
             generator random(options_.seed);
             for (int i = 0; i < budget_.pairs; ++i) {
                 const V m = direction<T>(std::cos(random.log_between(1e-4, 1.5)), tau * random());
-                product.add(static_cast<double>(n.pdf(m)), D(m) * static_cast<double>(m.z), {m, {}, {}, false});
+                product.add(n.pdf(m), D(m) * static_cast<double>(m.z), {m, {}, {}, false});
             }
             product.report_to(
                 r, [&](const place<T>& at, std::size_t) { return 2 * rounding_noise([&](const V& m, const V&) { return D(m); }, at); });
         }
-        if constexpr (has_sample) {
+        if (n.sample) {
             density_check<T> density("the pdf", "normals", options_, 1);
-            const auto pdf = [&](const V&, const V& m) {
-                if constexpr (has_pdf)
-                    return static_cast<double>(n.pdf(m));
-                else
-                    return D(m) * static_cast<double>(m.z);
-            };
+            const auto pdf = [&](const V&, const V& m) { return n.pdf ? n.pdf(m) : D(m) * static_cast<double>(m.z); };
             density.add(
                 chart, pdf, [&](const vec2<T>& u) { return draw(u); }, moments, {T(0), T(0), T(1)}, options_.seed);
             density.report_to(r);
@@ -256,7 +246,7 @@ private:
     }
 
     void visible_normals() {
-        if constexpr (has_visible) {
+        if (n.sample_visible) {
             const std::vector<V> all = views(false);
             density_check<T> density("the visible pdf", "visible normals", options_, static_cast<int>(all.size()));
             comparison<T> product("visible pdf = max(0, v.m) D / area", options_.tolerance,
@@ -265,13 +255,8 @@ private:
             for (const V& v : all) {
                 const double exact = area_by_quadrature(normalize(vec3<double>(v)))[0];
                 const auto visible = [&](const V& m) { return std::max(0.0, dot(vec3<double>(v), vec3<double>(m))) * D(m) / exact; };
-                const auto pdf = [&](const V& from, const V& m) {
-                    if constexpr (has_visible_pdf)
-                        return static_cast<double>(n.pdf_visible(from, m));
-                    else
-                        return visible(m);
-                };
-                if constexpr (has_visible_pdf)
+                const auto pdf = [&](const V& from, const V& m) { return n.pdf_visible ? n.pdf_visible(from, m) : visible(m); };
+                if (n.pdf_visible)
                     for (int i = 0; i < budget_.pairs / 8; ++i) {
                         const V m = direction<T>(std::cos(random.log_between(1e-4, 1.5)), tau * random());
                         product.add(pdf(v, m), visible(m), {v, m});
@@ -313,15 +298,15 @@ private:
     static constexpr std::array<double, 6> edges{0, 1e-6, 0.25, 0.5, 1 - 0x1p-24, 1};
     static constexpr double unit_tolerance = 64 * static_cast<double>(std::numeric_limits<T>::epsilon());
 
-    const N& n;
+    distribution_interface<T> n;
     options options_;
     budget budget_;
+    bool isotropic;
     normal_chart chart;
     watch<T> of_D{"D"}, of_area{"the projected area"};
     place<T> last{}, length_place{};
     double largest = 0, worst_length = 1;
     report r{""};
-    bool isotropic = false;
 };
 
 }  // namespace detail
@@ -331,7 +316,7 @@ private:
 /// `pdf_visible(v, m)`.
 template <class N>
 report verify_distribution(const N& ndf, const options& o = {}) {
-    return detail::distribution_judge<N>(ndf, o).verdict();
+    return detail::distribution_judge(detail::interface_of_distribution(ndf), o).verdict();
 }
 
 }  // namespace lobe::testkit

@@ -10,6 +10,7 @@
 #include <concepts>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <random>
 #include <string>
@@ -232,88 +233,124 @@ struct watch {
     }
 };
 
-/// A direction that `sample` drew, as doubles; `ok` where it succeeded: a density above zero and l above the horizon.
+/// What `sample` returned, as doubles.
 template <class T, std::size_t N>
 struct drawn {
     vec3<T> l{};
     std::array<double, N> weight{};
     double pdf = 0;
-    bool ok = false;
+    bool ok = false;  // a density above zero and l above the horizon
 };
 
+/// A stranger's functions, those that exist: the judge is compiled once for a scalar type and a number of channels, not once a BRDF.
+template <class T, std::size_t N>
+struct interface {
+    using values = std::array<double, N>;
+    std::function<values(const vec3<T>& v, const vec3<T>& l)> f_cos;
+    std::function<double(const vec3<T>& v, const vec3<T>& l)> pdf;
+    std::function<drawn<T, N>(const vec3<T>& v, const vec2<T>& u)> sample;
+    std::function<std::pair<values, double>(const vec3<T>& v, const vec3<T>& l)> evaluate;
+    bool isotropic = false;
+};
+
+template <std::size_t N, class S>
+std::array<double, N> as_values(const S& s) {
+    std::array<double, N> out;
+    for (std::size_t i = 0; i < N; ++i) out[i] = spectrum<S>::get(s, spectrum<S>::size == 1 ? 0 : i);
+    return out;
+}
+
 template <class B>
-class subject {
-public:
+auto interface_of(const B& b) {
     using T = decltype(scalar_of_brdf<B>());
     using V = vec3<T>;
-    using value = std::remove_cvref_t<decltype(call_f_cos(std::declval<const B&>(), V{}, V{}))>;
-    static constexpr std::size_t channels = spectrum<value>::size;
-    using values = std::array<double, channels>;
-    static constexpr bool has_pdf = requires(const B b, const V w) {
-        { b.pdf(w, w) } -> std::convertible_to<double>;
-    };
-    static constexpr bool has_sample = requires(const B b, const V w, const vec2<T> u) {
-        b.sample(w, u).l;
-        b.sample(w, u).weight;
-        b.sample(w, u).pdf;
-    };
+    using U = vec2<T>;
+    using value = std::remove_cvref_t<decltype(call_f_cos(b, V{}, V{}))>;
+    constexpr std::size_t N = spectrum<value>::size;
+    interface<T, N> out;
+    out.f_cos = [&b](const V& v, const V& l) { return as_values<N>(call_f_cos(b, v, l)); };
+    if constexpr (requires(const V w) {
+                      { b.pdf(w, w) } -> std::convertible_to<double>;
+                  })
+        out.pdf = [&b](const V& v, const V& l) { return static_cast<double>(b.pdf(v, l)); };
+    if constexpr (requires(const V w, const U u) {
+                      b.sample(w, u).l;
+                      b.sample(w, u).weight;
+                      b.sample(w, u).pdf;
+                  })
+        out.sample = [&b](const V& v, const U& u) {
+            const auto s = b.sample(v, u);
+            return drawn<T, N>{V(s.l), as_values<N>(s.weight), static_cast<double>(s.pdf)};
+        };
+    if constexpr (requires(const V w) {
+                      b.evaluate(w, w).f_cos;
+                      b.evaluate(w, w).pdf;
+                  })
+        out.evaluate = [&b](const V& v, const V& l) {
+            const auto e = b.evaluate(v, l);
+            return std::pair(as_values<N>(e.f_cos), static_cast<double>(e.pdf));
+        };
+    if constexpr (requires {
+                      { B::isotropic } -> std::convertible_to<bool>;
+                  })
+        out.isotropic = B::isotropic;
+    return out;
+}
 
-    subject(const B& judged, bool below_is_zero) : b(judged), zero_below(below_is_zero) {}
+/// The functions, watched.
+template <class T, std::size_t N>
+class subject {
+public:
+    using V = vec3<T>;
+    using values = std::array<double, N>;
+
+    subject(interface<T, N> judged, bool below_is_zero) : b(std::move(judged)), zero_below(below_is_zero) {}
+
+    bool has_pdf() const { return static_cast<bool>(b.pdf); }
+    bool has_sample() const { return static_cast<bool>(b.sample); }
 
     values f_cos(const V& v, const V& l) {
         last = {v, l};
-        const auto s = call_f_cos(b, v, l);
+        values out = b.f_cos(v, l);
         const bool vanish = l.z < 0 && v.z > 0 ? true : zero_below && v.z < 0;
-        values out;
         ++of_f.calls;
-        for (std::size_t i = 0; i < channels; ++i) {
-            out[i] = of_f.see(spectrum<value>::get(s, i), last, vanish, [&](const V& a, const V& c) { return raw_f_cos(a, c, i); });
+        for (std::size_t i = 0; i < N; ++i) {
+            out[i] = of_f.see(out[i], last, vanish, [&](const V& a, const V& c) { return b.f_cos(a, c)[i]; });
             largest = std::max(largest, std::abs(out[i]));
         }
         return out;
     }
 
-    double pdf(const V& v, const V& l) requires has_pdf {
+    double pdf(const V& v, const V& l) {
         last = {v, l};
         ++of_pdf.calls;
-        return of_pdf.see(static_cast<double>(b.pdf(v, l)), last, false, [&](const V& a, const V& c) { return raw_pdf(a, c); });
+        return of_pdf.see(b.pdf(v, l), last, false, b.pdf);
     }
 
-    /// Unwatched, for what rounding does to them.
-    double raw_f_cos(const V& v, const V& l, std::size_t channel) const { return spectrum<value>::get(call_f_cos(b, v, l), channel); }
-    double raw_pdf(const V& v, const V& l) const {
-        if constexpr (has_pdf)
-            return static_cast<double>(b.pdf(v, l));
-        else
-            return 0;
-    }
-
-    drawn<T, channels> sample(const V& v, const vec2<T>& u) requires has_sample {
+    drawn<T, N> sample(const V& v, const vec2<T>& u) {
         last = {v, {}, u, false, true};
-        const auto s = b.sample(v, u);
-        drawn<T, channels> out;
+        drawn<T, N> s = b.sample(v, u);
         ++of_sample.calls;
-        out.pdf = of_sample.see(static_cast<double>(s.pdf), last, false);
+        s.pdf = of_sample.see(s.pdf, last, false);
         bool carries_light = false;
-        for (std::size_t i = 0; i < channels; ++i) {
-            out.weight[i] = of_sample.see(spectrum<std::remove_cvref_t<decltype(s.weight)>>::get(s.weight, i), last, false);
-            carries_light |= out.weight[i] != 0;
+        for (double& w : s.weight) {
+            w = of_sample.see(w, last, false);
+            carries_light |= w != 0;
         }
-        if (out.pdf > 0) {  // a failed sample may carry any l
-            out.l = s.l;
+        if (s.pdf > 0) {  // a failed sample may carry any l
             for (const T x : {s.l.x, s.l.y, s.l.z}) of_sample.see(static_cast<double>(std::abs(x)), last, false);
             const double length = std::hypot(static_cast<double>(s.l.x), static_cast<double>(s.l.y), static_cast<double>(s.l.z));
             if (!(std::abs(length - 1) <= std::abs(worst_length - 1))) worst_length = length, length_place = last;
-            if (!(s.l.z > 0) && carries_light) ++of_sample.below, of_sample.below_value = out.weight[0], of_sample.below_place = last;
+            if (!(s.l.z > 0) && carries_light) ++of_sample.below, of_sample.below_value = s.weight[0], of_sample.below_place = last;
         } else if (carries_light) {
             if (!light_without_pdf++) light_place = last;
         }
-        out.ok = out.pdf > 0 && s.l.z > 0;
-        if (!out.ok) out.weight = {};
-        return out;
+        s.ok = s.pdf > 0 && s.l.z > 0;
+        if (!s.ok) s.weight = {};
+        return s;
     }
 
-    const B& b;
+    interface<T, N> b;
     bool zero_below;
     watch<T> of_f{"f_cos"}, of_pdf{"pdf"}, of_sample{"sample"};
     place<T> last{}, length_place{}, light_place{};

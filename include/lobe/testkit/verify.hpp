@@ -8,22 +8,14 @@ namespace lobe::testkit {
 
 namespace detail {
 
-template <class B>
+template <class T, std::size_t channels>
 class judge {
-    using S = subject<B>;
-    using T = typename S::T;
     using V = vec3<T>;
-    using values = typename S::values;
-    static constexpr std::size_t channels = S::channels;
+    using values = std::array<double, channels>;
 
 public:
-    judge(const B& brdf, const options& o) : options_(o), budget_(budget_of(o.effort)), b(brdf, o.zero_below) {
-        if constexpr (requires {
-                          { B::isotropic } -> std::convertible_to<bool>;
-                      })
-            isotropic = B::isotropic;
-        isotropic = o.isotropic.value_or(isotropic);
-    }
+    judge(const interface<T, channels>& brdf, const options& o)
+        : options_(o), budget_(budget_of(o.effort)), b(brdf, o.zero_below), isotropic(o.isotropic.value_or(brdf.isotropic)) {}
 
     report verdict() {
         attempt([&] { sweep(); });
@@ -50,7 +42,7 @@ private:
         w.push_back({T(1), T(0), std::sqrt(std::numeric_limits<T>::min())});
         const auto look = [&](const V& v, const V& l) {
             b.f_cos(v, l);
-            if constexpr (S::has_pdf) b.pdf(v, l);
+            if (b.has_pdf()) b.pdf(v, l);
         };
         for (std::size_t i = 0; i < w.size(); ++i) {
             for (std::size_t j = 0; j < w.size(); ++j)
@@ -64,7 +56,7 @@ private:
                     look(w[i], unit(vec3<double>(w[i]) + vec3<double>(side * step, -step / 2, 0)));
                 }
         }
-        if constexpr (S::has_sample) {
+        if (b.has_sample()) {
             const T last = T(1) - static_cast<T>(0x1p-24), below = T(1) - std::numeric_limits<T>::epsilon() / T(2);
             for (const V& v : w)
                 if (v.z > T(0) && v.z >= std::numeric_limits<T>::min())
@@ -79,8 +71,8 @@ private:
                   "the BRDF returned 0 for every pair of directions: nothing can be verified"},
                  b.largest > 0});
         b.of_f.report_to(all);
-        if constexpr (S::has_pdf) b.of_pdf.report_to(all, false);
-        if constexpr (S::has_sample) {
+        if (b.has_pdf()) b.of_pdf.report_to(all, false);
+        if (b.has_sample()) {
             b.of_sample.report_to(all);
             const bool unit = std::abs(b.worst_length - 1) <= unit_tolerance;
             all.add({{"sampled directions are unit", b.worst_length, 1, unit_tolerance, unit ? "" : b.length_place.text(),
@@ -105,7 +97,7 @@ private:
                              "the value changes when v and l turn about the normal: it is anisotropic, or reads x or y alone");
         comparison<T> together("evaluate = {f_cos, pdf}", options_.tolerance, "evaluate and the separate functions are two formulas");
         generator random(options_.seed);
-        const auto with_cosine = [&](const V& v, const V& l, std::size_t k) { return b.raw_f_cos(v, l, k) * static_cast<double>(v.z); };
+        const auto with_cosine = [&](const V& v, const V& l, std::size_t k) { return b.b.f_cos(v, l)[k] * static_cast<double>(v.z); };
         for (int i = 0; i < budget_.pairs; ++i) {
             const std::pair<V, V> directions = random_pair(random, i);
             const V &v = directions.first, &l = directions.second;
@@ -121,13 +113,10 @@ private:
                 const values g = b.f_cos(rotated(v, angle), rotated(l, angle));
                 for (std::size_t k = 0; k < channels; ++k) turned.add(g[k], f[k], {v, l}, k);
             }
-            if constexpr (S::has_pdf && requires {
-                              b.b.evaluate(v, l).f_cos;
-                              b.b.evaluate(v, l).pdf;
-                          }) {
-                const auto e = b.b.evaluate(v, l);
-                for (std::size_t k = 0; k < channels; ++k) together.add(spectrum<typename S::value>::get(e.f_cos, k), f[k], {v, l}, k);
-                together.add(static_cast<double>(e.pdf), b.pdf(v, l), {v, l}, channels);
+            if (b.has_pdf() && b.b.evaluate) {
+                const auto [f_cos, pdf] = b.b.evaluate(v, l);
+                for (std::size_t k = 0; k < channels; ++k) together.add(f_cos[k], f[k], {v, l}, k);
+                together.add(pdf, b.pdf(v, l), {v, l}, channels);
             }
         }
         const auto noise_of = [&](const place<T>& at, std::size_t k) {
@@ -136,9 +125,9 @@ private:
         };
         if (options_.reciprocal) reciprocal.report_to(r, noise_of);
         const auto noise = [&](const place<T>& at, std::size_t k) {
-            if constexpr (S::has_pdf)
-                if (k == channels) return 2 * rounding_noise([&](const V& v, const V& l) { return b.raw_pdf(v, l); }, at);
-            return 2 * rounding_noise([&](const V& v, const V& l) { return b.raw_f_cos(v, l, k); }, at);
+            if (b.has_pdf())
+                if (k == channels) return 2 * rounding_noise([&](const V& v, const V& l) { return b.b.pdf(v, l); }, at);
+            return 2 * rounding_noise([&](const V& v, const V& l) { return b.b.f_cos(v, l)[k]; }, at);
         };
         if (isotropic) turned.report_to(r, noise);
         together.report_to(r, noise);
@@ -188,7 +177,7 @@ private:
                     typename mesh<channels + 1>::values out{};
                     double sum = 0;
                     for (std::size_t k = 0; k < channels; ++k) sum += out[k] = f[k] * p.area;
-                    if constexpr (S::has_pdf)
+                    if (b.has_pdf())
                         if (sum > 0 && b.pdf(v, l) == 0) out[channels] = sum;
                     return out;
                 },
@@ -201,18 +190,18 @@ private:
                 if (!is_padding(k, E[k])) furnace.add(E[k], 1, allowed + e[k], w, at, !options_.lossless);
             if (options_.reciprocal) light_furnace(v, furnace_of_light);
 
-            if constexpr (S::has_pdf) {
+            if (b.has_pdf()) {
                 const double total = std::accumulate(E.begin(), E.end() - 1, 0.0), error = std::accumulate(e.begin(), e.end() - 1, 0.0);
                 if (total > 0) covered.add(total - E[channels], total, options_.tolerance * total + error, w, at);
             }
-            if constexpr (S::has_sample) {
+            if (b.has_sample()) {
                 const auto at_u = [&](const vec2<double>& u) { return b.sample(v, {below_one<T>(u.x), below_one<T>(u.y)}); };
                 const auto over_u = integral_over_u<channels>([&](const vec2<double>& u) { return at_u(u).weight; },
                                                               [&](const vec2<double>& u) { return at_u(u).ok; }, budget_, true);
                 for (std::size_t k = 0; k < channels; ++k)
                     if (E[k] > 1e-6) mean_weight.add(over_u.integral()[k], E[k], allowed * E[k] + e[k] + over_u.error()[k], w, at);
             }
-            if constexpr (S::has_sample && S::has_pdf) {
+            if (b.has_sample() && b.has_pdf()) {
                 const auto draw = [&](const vec2<T>& u) {
                     const auto s = b.sample(v, u);
                     return s.ok ? std::optional<V>(s.l) : std::nullopt;
@@ -223,7 +212,7 @@ private:
                 };
                 density.add(
                     chart, [&](const V& a, const V& l) { return b.pdf(a, l); }, draw, moments, v, options_.seed * 1000 + i);
-            } else if constexpr (S::has_pdf) {
+            } else if (b.has_pdf()) {
                 mesh<1> total(
                     [&](double x, double y) {
                         const auto p = chart(x, y);
@@ -237,15 +226,15 @@ private:
         furnace.report_to(r);
         furnace_of_light.report_to(r);
         pdf_at_most.report_to(r);
-        if constexpr (S::has_sample && S::has_pdf) density.report_to(r);
+        if (b.has_sample() && b.has_pdf()) density.report_to(r);
         covered.report_to(r);
         mean_weight.report_to(r);
         product.report_to(r, [&](const place<T>& where, std::size_t k) {
-            return 2 * rounding_noise([&](const V& v, const V& l) { return b.raw_f_cos(v, l, k); }, where);
+            return 2 * rounding_noise([&](const V& v, const V& l) { return b.b.f_cos(v, l)[k]; }, where);
         });
-        if constexpr (S::has_pdf)
+        if (b.has_pdf())
             same_pdf.report_to(r, [&](const place<T>& where, std::size_t) {
-                return 2 * rounding_noise([&](const V& v, const V& l) { return b.raw_pdf(v, l); }, where);
+                return 2 * rounding_noise([&](const V& v, const V& l) { return b.b.pdf(v, l); }, where);
             });
     }
 
@@ -253,7 +242,7 @@ private:
     std::vector<std::array<double, 2>> samples(const V& v, const half_vector_chart& chart, std::uint64_t seed, comparison<T>& product,
                                                comparison<T>& same_pdf) {
         std::vector<std::array<double, 2>> some;
-        if constexpr (S::has_sample) {
+        if (b.has_sample()) {
             generator random(seed);
             const int n = budget_.strata, stride = std::max(1, n * n / 512);
             for (int i = 0; i < n * n; ++i) {
@@ -264,7 +253,7 @@ private:
                 const place<T> at{v, s.l, u, true, true};
                 const values f = b.f_cos(v, s.l);
                 for (std::size_t k = 0; k < channels; ++k) product.add(s.weight[k] * s.pdf, f[k], at, k);
-                if constexpr (S::has_pdf) same_pdf.add(b.pdf(v, s.l), s.pdf, at);
+                if (b.has_pdf()) same_pdf.add(b.pdf(v, s.l), s.pdf, at);
                 if (i % stride == 0) some.push_back(chart.find(vec3<double>(s.l)));
             }
         }
@@ -273,7 +262,7 @@ private:
 
     double total_of(const V& v, const V& l) const {
         double sum = 0;
-        for (std::size_t k = 0; k < channels; ++k) sum += b.raw_f_cos(v, l, k);
+        for (std::size_t k = 0; k < channels; ++k) sum += b.b.f_cos(v, l)[k];
         return sum;
     }
 
@@ -349,9 +338,9 @@ private:
 
     options options_;
     budget budget_;
-    S b;
+    subject<T, channels> b;
     report r{""};
-    bool isotropic = false;
+    bool isotropic;
 };
 
 }  // namespace detail
@@ -361,7 +350,7 @@ private:
 /// pdf, and `pdf(v, l)` are verified where they exist, each on its own.
 template <class B>
 report verify(const B& brdf, const options& o = {}) {
-    return detail::judge<B>(brdf, o).verdict();
+    return detail::judge(detail::interface_of(brdf), o).verdict();
 }
 
 }  // namespace lobe::testkit
