@@ -47,13 +47,20 @@ public:
         const std::size_t stride = std::max<std::size_t>(1, suspects.size() / 192);
         for (std::size_t i = 0; i < suspects.size(); i += i < 64 ? 1 : stride) looked_at.push_back(suspects[i]);
 
-        double worst = 0, allowed = 0, typical = 0;
+        // At one place a function may round alike whatever is done to it: the noise is at least the median of all places.
+        std::vector<double> noises, sorted;
+        for (const suspect& s : looked_at) noises.push_back(noise(s.at, s.channel) / std::max(std::abs(s.measured), std::abs(s.expected)));
+        sorted = noises;
+        std::sort(sorted.begin(), sorted.end());
+        const double typical = sorted.empty() ? 0 : sorted[sorted.size() / 2];
+
+        double worst = 0, allowed = 0;
         suspect at = close_at;
         std::vector<ratio_at> wrong;
-        for (const suspect& s : looked_at) {
+        for (std::size_t i = 0; i < looked_at.size(); ++i) {
+            const suspect& s = looked_at[i];
             const double size = std::max(std::abs(s.measured), std::abs(s.expected));
-            const double rounding = noise(s.at, s.channel), limit = tolerance * size + 4 * rounding;
-            typical += rounding / size / static_cast<double>(looked_at.size());
+            const double limit = (tolerance + 4 * std::max(noises[i], typical)) * size;
             const double excess = std::abs(s.measured - s.expected) / limit;
             if (excess > 1 && s.expected != 0) wrong.push_back({s.measured / s.expected, vec3<double>(s.at.v), vec3<double>(s.at.l)});
             if (excess > worst) worst = excess, allowed = limit, at = s;
@@ -144,7 +151,7 @@ double relative_rounding(const mesh<N>& m, const Chart& chart, const vec3<T>& v,
 /// lie there. The mesh is fine from the start along the border between samples that succeed and that fail, which an adaptive rule alone
 /// steps over where it has a narrow tongue. value(u): what to integrate; succeeds(u).
 template <std::size_t N, class Value, class Succeeds>
-mesh<N> integral_over_u(const Value& value, const Succeeds& succeeds, const budget& b, bool are_colours) {
+mesh<N> integral_over_u(const Value& value, const Succeeds& succeeds, const budget& b, std::size_t driving, bool are_colours) {
     const auto magnified = [](double t) { return t * t * (3 - 2 * t); };
     mesh<N> m(
         [=](double x, double y) {
@@ -152,7 +159,7 @@ mesh<N> integral_over_u(const Value& value, const Succeeds& succeeds, const budg
             for (double& k : out) k *= 36 * x * (1 - x) * y * (1 - y);
             return out;
         },
-        16, 16, N);
+        16, 16, driving);
     constexpr int n = 64;
     std::vector<bool> ok(n * n);
     for (int i = 0; i < n * n; ++i)
@@ -165,15 +172,19 @@ mesh<N> integral_over_u(const Value& value, const Succeeds& succeeds, const budg
     return m;
 }
 
+/// Smooth numbers of a direction l that a normal m (or a half vector) mirrors to: their means over samples tell a wrong width, tilt or
+/// side. The first three are not negative; the others are at most as large as the first two.
+inline std::array<double, 5> moments(const vec3<double>& m, double cosine) { return {std::abs(m.x), std::abs(m.y), cosine, m.x, m.y}; }
+
 /// A density over directions against the sampler that is said to follow it, for one view after another: its integral is the fraction of
-/// samples that succeed; three means are the same over both; the counts in the cells of its mesh follow it.
+/// samples that succeed; five means are the same over both; the counts in the cells of its mesh follow it.
 template <class T>
 class density_check {
 public:
     /// `density(view, l)` and `draw(u)`, which returns a direction where it succeeds, on a chart from the square to directions; `moments`
     /// are three smooth numbers of a direction.
     template <class Chart, class Density, class Draw, class Moments>
-    void add(const Chart& chart, const Density& density, const Draw& draw, const Moments& moments, const vec3<T>& view,
+    void add(const Chart& chart, const Density& density, const Draw& draw, const Moments& numbers, const vec3<T>& view,
              std::uint64_t seed) {
         const vec3<double> v = normalize(vec3<double>(view));
         const std::string at = literal("v", view);
@@ -182,12 +193,13 @@ public:
         for (std::size_t k = 0; k < samples.size(); k += std::max<std::size_t>(1, samples.size() / 512))
             hints.push_back(chart.find(samples[k]));
 
-        mesh<4> over_l(
+        using values = mesh<6>::values;
+        mesh<6> over_l(
             [&](double x, double y) {
                 const auto p = chart(x, y);
                 const double d = density(view, vec3<T>(p.l)) * p.area;
-                const auto t = moments(p.l);
-                return mesh<4>::values{d, d * t[0], d * t[1], d * t[2]};
+                const auto t = numbers(p.l);
+                return values{d, d * t[0], d * t[1], d * t[2], d * t[3], d * t[4]};
             },
             8, 16, 4);
         for (const vec3<double>& w : {v, vec3<double>{0, 0, 1}}) {
@@ -197,25 +209,26 @@ public:
         over_l.refine_crowded(hints, 24, 12);
         over_l.refine(budget_.tolerance, false, budget_.evaluations);
 
-        const auto over_u = integral_over_u<4>(
+        const auto over_u = integral_over_u<6>(
             [&](const vec2<double>& u) {
                 const std::optional<vec3<T>> l = draw(vec2<T>{below_one<T>(u.x), below_one<T>(u.y)});
-                if (!l) return mesh<4>::values{};
-                const auto t = moments(vec3<double>(*l));
-                return mesh<4>::values{1, t[0], t[1], t[2]};
+                if (!l) return values{};
+                const auto t = numbers(vec3<double>(*l));
+                return values{1, t[0], t[1], t[2], t[3], t[4]};
             },
             [&](const vec2<double>& u) {
                 return draw(vec2<T>{below_one<T>(u.x), below_one<T>(u.y)}).has_value();
             },
-            budget_, false);
+            budget_, 4, false);
 
         const auto &I = over_l.integral(), &U = over_u.integral(), &e = over_l.error(), &eu = over_u.error();
         const double allowed = tolerance + relative_rounding<T>(over_l, chart, view, density);
-        total.add(I[0], U[0], allowed * U[0] + e[0] + eu[0], v, at);
-        if (!(I[0] > 0) || !(U[0] > 0)) return;
-        for (std::size_t k = 1; k < 4; ++k)
-            means.add(U[k] / U[0], I[k] / I[0],
-                      allowed * I[k] / I[0] + (e[k] + e[0] * I[k] / I[0]) / I[0] + (eu[k] + eu[0] * U[k] / U[0]) / U[0], v, at);
+        total.add(I[0], U[0], allowed * U[0] + e[0] + eu[0] + 1e-4, v, at);
+        if (!(I[0] > 1e-3) || !(U[0] > 1e-3)) return;  // hardly a sample succeeds
+        for (std::size_t k = 1; k < 6; ++k) {
+            const double size = k < 4 ? I[k] / I[0] : I[k - 3] / I[0];
+            means.add(U[k] / U[0], I[k] / I[0], allowed * size + (e[k] + e[0] * size) / I[0] + (eu[k] + eu[0] * size) / U[0], v, at);
+        }
 
         // A small probability is asked for again, twice, with four times as many samples.
         double chance = probability(over_l, chart, samples);
@@ -254,7 +267,7 @@ private:
 
     /// Fine bins see a narrow fault, coarse ones a faint and wide one.
     template <class Chart>
-    static double probability(const mesh<4>& over_l, const Chart& chart, const std::vector<vec3<double>>& samples) {
+    static double probability(const mesh<6>& over_l, const Chart& chart, const std::vector<vec3<double>>& samples) {
         if (samples.empty()) return 1;
         std::vector<double> count(over_l.cells().size());
         for (const vec3<double>& l : samples) {

@@ -223,7 +223,7 @@ private:
         return std::isfinite(size) && m.z > T(0) ? std::optional<V>(m) : std::nullopt;
     }
 
-    static std::array<double, 3> moments(const vec3<double>& m) { return {std::abs(m.x), std::abs(m.y), m.z}; }
+    static std::array<double, 5> numbers(const vec3<double>& m) { return moments(m, m.z); }
 
     void all_normals() {
         if (n.pdf) {
@@ -240,7 +240,7 @@ private:
             density_check<T> density("the pdf", "normals", options_, 1);
             const auto pdf = [&](const V&, const V& m) { return n.pdf ? n.pdf(m) : D(m) * static_cast<double>(m.z); };
             density.add(
-                chart, pdf, [&](const vec2<T>& u) { return draw(u); }, moments, {T(0), T(0), T(1)}, options_.seed);
+                chart, pdf, [&](const vec2<T>& u) { return draw(u); }, numbers, {T(0), T(0), T(1)}, options_.seed);
             density.report_to(r);
         }
     }
@@ -262,7 +262,7 @@ private:
                         product.add(pdf(v, m), visible(m), {v, m});
                     }
                 density.add(
-                    chart, pdf, [&](const vec2<T>& u) { return draw_visible(v, u); }, moments, v, options_.seed);
+                    chart, pdf, [&](const vec2<T>& u) { return draw_visible(v, u); }, numbers, v, options_.seed);
             }
             density.report_to(r);
             product.report_to(r, [&](const place<T>& at, std::size_t) {

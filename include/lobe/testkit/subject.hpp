@@ -169,7 +169,9 @@ double rounding_noise(const F& value, const place<T>& at, int steps = 32) {
     const double exact = value(at.v, at.l);
     double noise = 0;
     for (int i = 0; i < steps; ++i) {
-        vec3<T> v = at.v, l = at.l;
+        // Both a little longer or shorter, which changes no half vector but how its components round; then each component.
+        const T scale = T(1) + static_cast<T>(2 * random() - 1) * T(16) * std::numeric_limits<T>::epsilon();
+        vec3<T> v = at.v * scale, l = at.l * scale;
         for (vec3<T>* w : {&v, &l})
             for (int k = 0; k < 3; ++k) {
                 const double step = (2 * random() - 1) * 4 * static_cast<double>(std::numeric_limits<T>::epsilon());

@@ -38,16 +38,13 @@ private:
         w.push_back({tiny, T(0), T(1)});
         w.push_back({-tiny, tiny, T(1)});
         const std::size_t usual = w.size();
-        // Nearly on the horizon; not against itself, for cos(theta_v) cos(theta_l) underflows.
-        w.push_back({T(1), T(0), std::sqrt(std::numeric_limits<T>::min())});
+        w.push_back({T(1), T(0), std::sqrt(std::numeric_limits<T>::min())});  // a light nearly on the horizon
         const auto look = [&](const V& v, const V& l) {
             b.f_cos(v, l);
             if (b.has_pdf()) b.pdf(v, l);
         };
-        for (std::size_t i = 0; i < w.size(); ++i) {
-            for (std::size_t j = 0; j < w.size(); ++j)
-                if (i < usual || j < usual) look(w[i], w[j]);
-            if (i >= usual) continue;
+        for (std::size_t i = 0; i < usual; ++i) {
+            for (const V& l : w) look(w[i], l);
             look(w[i], -w[i]);
             for (double step = 1e-8; step < 0.3; step *= 10)  // near the mirror direction, and near v itself
                 for (const double side : {-1.0, 1.0}) {
@@ -58,8 +55,9 @@ private:
         }
         if (b.has_sample()) {
             const T last = T(1) - static_cast<T>(0x1p-24), below = T(1) - std::numeric_limits<T>::epsilon() / T(2);
+            w.resize(usual);
             for (const V& v : w)
-                if (v.z > T(0) && v.z >= std::numeric_limits<T>::min())
+                if (v.z > T(0))
                     for (const T x : {T(0), tiny, static_cast<T>(1e-6), T(0.25), T(0.5), T(0.75), last, below})
                         for (const T y : {T(0), tiny, static_cast<T>(1e-6), T(0.25), T(0.5), T(0.75), last, below}) b.sample(v, {x, y});
         }
@@ -103,6 +101,7 @@ private:
             const V &v = directions.first, &l = directions.second;
             if (!(v.z > T(0)) || !(l.z > T(0))) continue;
             const values f = b.f_cos(v, l);
+            if (b.has_sample()) compare_sample(v, {below_one<T>(random()), below_one<T>(random())});
             if (options_.reciprocal) {
                 const values g = b.f_cos(l, v);
                 for (std::size_t k = 0; k < channels; ++k)
@@ -155,10 +154,10 @@ private:
                                   "light from one direction is returned more than once: the compensation looks at the viewer only");
         per_view pdf_at_most("integral of the pdf is at most 1", "it is no density: a factor or a Jacobian is wrong");
         per_view covered("pdf > 0 where f_cos > 0", "the sampler never goes where the BRDF reflects: that light is lost");
+        per_view weighted_means(
+            "weighted means of samples = of f_cos",
+            "the estimator is biased: the samples are wider, narrower, more tilted or more to one side than their weights say");
         per_view mean_weight("mean weight = furnace", "the estimator is biased: the weight or the pdf does not belong to the samples");
-        comparison<T> product("weight * pdf = f_cos", options_.tolerance, "the weight of a sample is not f_cos / pdf");
-        comparison<T> same_pdf("pdf(v, sample.l) = sample.pdf", options_.tolerance,
-                               "sample and pdf are two formulas: another width, another measure, or another lobe");
         const std::vector<V> all = chosen_views();
         density_check<T> density("the pdf", "samples", options_, static_cast<int>(all.size()));
 
@@ -167,18 +166,21 @@ private:
             const vec3<double> w = normalize(vec3<double>(v));
             const std::string at = literal("v", v);
             const half_vector_chart chart(w);
-            const std::vector<std::array<double, 2>> hints = samples(v, chart, options_.seed * 1000 + i, product, same_pdf);
+            const std::vector<std::array<double, 2>> hints = samples(v, chart, options_.seed * 1000 + i);
 
-            mesh<channels + 1> over_l(  // f_cos, and the part of it that the pdf does not reach
+            // f_cos, the part of it that the pdf does not reach, its moments.
+            mesh<channels + 6> over_l(
                 [&](double x, double y) {
                     const auto p = chart(x, y);
                     const V l(p.l);
                     const values f = b.f_cos(v, l);
-                    typename mesh<channels + 1>::values out{};
+                    typename mesh<channels + 6>::values out{};
                     double sum = 0;
                     for (std::size_t k = 0; k < channels; ++k) sum += out[k] = f[k] * p.area;
                     if (b.has_pdf())
                         if (sum > 0 && b.pdf(v, l) == 0) out[channels] = sum;
+                    const auto t = numbers_of(w, p.l);
+                    for (std::size_t k = 0; k < 5; ++k) out[channels + 1 + k] = sum * t[k];
                     return out;
                 },
                 8, 16, channels);
@@ -191,27 +193,42 @@ private:
             if (options_.reciprocal) light_furnace(v, furnace_of_light);
 
             if (b.has_pdf()) {
-                const double total = std::accumulate(E.begin(), E.end() - 1, 0.0), error = std::accumulate(e.begin(), e.end() - 1, 0.0);
+                const double total = std::accumulate(E.begin(), E.begin() + channels, 0.0),
+                             error = std::accumulate(e.begin(), e.begin() + channels, 0.0);
                 if (total > 0) covered.add(total - E[channels], total, options_.tolerance * total + error, w, at);
             }
             if (b.has_sample()) {
                 const auto at_u = [&](const vec2<double>& u) { return b.sample(v, {below_one<T>(u.x), below_one<T>(u.y)}); };
-                const auto over_u = integral_over_u<channels>([&](const vec2<double>& u) { return at_u(u).weight; },
-                                                              [&](const vec2<double>& u) { return at_u(u).ok; }, budget_, true);
+                const auto over_u = integral_over_u<channels + 5>(
+                    [&](const vec2<double>& u) {
+                        const auto s = at_u(u);
+                        std::array<double, channels + 5> out{};
+                        if (!s.ok) return out;
+                        double sum = 0;
+                        for (std::size_t k = 0; k < channels; ++k) sum += out[k] = s.weight[k];
+                        const auto t = numbers_of(w, vec3<double>(s.l));
+                        for (std::size_t k = 0; k < 5; ++k) out[channels + k] = sum * t[k];
+                        return out;
+                    },
+                    [&](const vec2<double>& u) { return at_u(u).ok; }, budget_, channels, true);
+                const auto &W = over_u.integral(), &we = over_u.error();
                 for (std::size_t k = 0; k < channels; ++k)
-                    if (E[k] > 1e-6) mean_weight.add(over_u.integral()[k], E[k], allowed * E[k] + e[k] + over_u.error()[k], w, at);
+                    if (E[k] > 1e-6) mean_weight.add(W[k], E[k], allowed * E[k] + e[k] + we[k], w, at);
+                for (std::size_t k = 0; k < 5; ++k) {
+                    const double size = E[channels + 1 + (k < 3 ? k : k - 3)];
+                    if (size > 1e-6)
+                        weighted_means.add(W[channels + k], E[channels + 1 + k], allowed * size + e[channels + 1 + k] + we[channels + k], w,
+                                           at);
+                }
             }
             if (b.has_sample() && b.has_pdf()) {
                 const auto draw = [&](const vec2<T>& u) {
                     const auto s = b.sample(v, u);
                     return s.ok ? std::optional<V>(s.l) : std::nullopt;
                 };
-                const auto moments = [&](const vec3<double>& l) {
-                    const vec3<double> m = normalize(w + l);
-                    return std::array<double, 3>{std::abs(m.x), std::abs(m.y), l.z};
-                };
                 density.add(
-                    chart, [&](const V& a, const V& l) { return b.pdf(a, l); }, draw, moments, v, options_.seed * 1000 + i);
+                    chart, [&](const V& a, const V& l) { return b.pdf(a, l); }, draw,
+                    [&](const vec3<double>& l) { return numbers_of(w, l); }, v, options_.seed * 1000 + i);
             } else if (b.has_pdf()) {
                 mesh<1> total(
                     [&](double x, double y) {
@@ -229,6 +246,7 @@ private:
         if (b.has_sample() && b.has_pdf()) density.report_to(r);
         covered.report_to(r);
         mean_weight.report_to(r);
+        weighted_means.report_to(r);
         product.report_to(r, [&](const place<T>& where, std::size_t k) {
             return 2 * rounding_noise([&](const V& v, const V& l) { return b.b.f_cos(v, l)[k]; }, where);
         });
@@ -238,27 +256,32 @@ private:
             });
     }
 
-    /// Weight and density of n^2 samples, one at random in each of the n^2 squares. Returns where some of them lie in the chart.
-    std::vector<std::array<double, 2>> samples(const V& v, const half_vector_chart& chart, std::uint64_t seed, comparison<T>& product,
-                                               comparison<T>& same_pdf) {
+    /// Weight and density of a sample against the functions.
+    drawn<T, channels> compare_sample(const V& v, const vec2<T>& u) {
+        const drawn<T, channels> s = b.sample(v, u);
+        if (!s.ok) return s;
+        const place<T> at{v, s.l, u, true, true};
+        const values f = b.f_cos(v, s.l);
+        for (std::size_t k = 0; k < channels; ++k) product.add(s.weight[k] * s.pdf, f[k], at, k);
+        if (b.has_pdf()) same_pdf.add(b.pdf(v, s.l), s.pdf, at);
+        return s;
+    }
+
+    /// ... of n^2 of them, one at random in each of the n^2 squares. Returns where some lie in the chart.
+    std::vector<std::array<double, 2>> samples(const V& v, const half_vector_chart& chart, std::uint64_t seed) {
         std::vector<std::array<double, 2>> some;
-        if (b.has_sample()) {
-            generator random(seed);
-            const int n = budget_.strata, stride = std::max(1, n * n / 512);
-            for (int i = 0; i < n * n; ++i) {
-                const double x = (i % n + random()) / n, y = (i / n + random()) / n;
-                const vec2<T> u{below_one<T>(x), below_one<T>(y)};
-                const auto s = b.sample(v, u);
-                if (!s.ok) continue;
-                const place<T> at{v, s.l, u, true, true};
-                const values f = b.f_cos(v, s.l);
-                for (std::size_t k = 0; k < channels; ++k) product.add(s.weight[k] * s.pdf, f[k], at, k);
-                if (b.has_pdf()) same_pdf.add(b.pdf(v, s.l), s.pdf, at);
-                if (i % stride == 0) some.push_back(chart.find(vec3<double>(s.l)));
-            }
+        if (!b.has_sample()) return some;
+        generator random(seed);
+        const int n = budget_.strata, stride = std::max(1, n * n / 512);
+        for (int i = 0; i < n * n; ++i) {
+            const double x = (i % n + random()) / n, y = (i / n + random()) / n;
+            const auto s = compare_sample(v, {below_one<T>(x), below_one<T>(y)});
+            if (s.ok && i % stride == 0) some.push_back(chart.find(vec3<double>(s.l)));
         }
         return some;
     }
+
+    static std::array<double, 5> numbers_of(const vec3<double>& v, const vec3<double>& l) { return moments(normalize(v + l), l.z); }
 
     double total_of(const V& v, const V& l) const {
         double sum = 0;
@@ -301,12 +324,14 @@ private:
 
     // ---- where to look
 
-    /// From the normal to cos = 0.01, and, unless the subject is isotropic, along both axes.
+    /// From the normal to cos = 0.01, moved by the seed within their gaps, and, unless the subject is isotropic, along both axes.
     std::vector<V> chosen_views() const {
-        std::vector<V> all;
-        for (int i = 0; i < budget_.views; ++i) {
-            const double t = static_cast<double>(i) / (budget_.views - 1), mu = std::max(0.01, 1 - t * (2 - t) * 0.7 - 0.3 * t * t);
-            all.push_back(direction<T>(i == 0 ? 1 : mu, golden_angle * i));
+        generator random(options_.seed);
+        std::vector<V> all{direction<T>(1, 0), direction<T>(0.01, golden_angle)};
+        const int inner = budget_.views - 2;
+        for (int i = 0; i < inner; ++i) {
+            const double t = (i + random()) / inner;  // closer to each other near grazing
+            all.push_back(direction<T>(0.02 + 0.97 * t * (0.4 + 0.6 * t), golden_angle * (i + 2)));
         }
         if (!isotropic)
             for (const double mu : {0.7, 0.15})
@@ -339,6 +364,9 @@ private:
     options options_;
     budget budget_;
     subject<T, channels> b;
+    comparison<T> product{"weight * pdf = f_cos", options_.tolerance, "the weight of a sample is not f_cos / pdf"};
+    comparison<T> same_pdf{"pdf(v, sample.l) = sample.pdf", options_.tolerance,
+                           "sample and pdf are two formulas: another width, another measure, or another lobe"};
     report r{""};
     bool isotropic;
 };
