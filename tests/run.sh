@@ -3,7 +3,7 @@
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 source "$root/tests/setup.sh"
-need cmake ninja-build g++ clang libglm-dev catch2 libboost-dev libxsimd-dev
+need cmake ninja-build g++ clang libglm-dev catch2 libboost-dev libxsimd-dev libgtest-dev
 
 presets=("$@")
 (($#)) || presets=(gcc clang)

@@ -131,6 +131,10 @@ TEST_CASE("a report says what, where, and what it means", "[testkit]") {
     CHECK(furnace.input.find("glm::dvec3 v{") == 0);
     CHECK(bad.findings().size() == 2);  // for a fixed view, and for a fixed light
 
+    // A coloured wall without 1/pi: no furnace is off by pi, and yet.
+    const auto paint = [](const glm::dvec3& v, const glm::dvec3& l) { return v.z > 0 && l.z > 0 ? 0.5 * l.z : 0.0; };
+    CHECK(the_check(verify(paint), "white furnace is at most 1").meaning.find("missing 1/pi") != std::string::npos);
+
     // What Catch prints when REQUIRE(verify(...)) fails is the table.
     const std::string printed = Catch::Detail::stringify(bad);
     for (const char* part : {"FAILED", "white furnace is 1", "3.14159", "missing 1/pi", "glm::dvec3 v{"})
@@ -171,12 +175,14 @@ TEST_CASE("scalar types: as the type says, else as the value returned", "[testki
         float r, g, b;
     };
     const auto own_spectrum = [](glm::vec3, glm::vec3) { return three{}; };
-    CHECK(std::is_same_v<detail::subject<says>::T, float>);
-    CHECK(std::is_same_v<detail::subject<decltype(returns_float)>::T, float>);
-    CHECK(std::is_same_v<detail::subject<decltype(returns_double)>::T, double>);
-    CHECK(std::is_same_v<detail::subject<decltype(generic)>::T, double>);
-    CHECK(std::is_same_v<detail::subject<decltype(own_spectrum)>::T, float>);
-    CHECK(detail::subject<decltype(own_spectrum)>::channels == 3);
+    const auto is = [](const auto& brdf, auto expected) {
+        return std::is_same_v<decltype(detail::interface_of(brdf)), decltype(expected)>;
+    };
+    CHECK(is(says{}, detail::interface<float, 1>{}));
+    CHECK(is(returns_float, detail::interface<float, 1>{}));
+    CHECK(is(returns_double, detail::interface<double, 3>{}));
+    CHECK(is(generic, detail::interface<double, 1>{}));
+    CHECK(is(own_spectrum, detail::interface<float, 3>{}));
 }
 
 TEST_CASE("adapters: functions apart, without the cosine, in world space", "[testkit]") {

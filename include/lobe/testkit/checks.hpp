@@ -16,6 +16,24 @@ struct budget {
 };
 inline budget budget_of(effort e) { return e == effort::quick ? budget{9, 4096, 96, 24000, 3e-4} : budget{32, 100000, 384, 200000, 5e-5}; }
 
+/// Up to 2^14 of however many things, evenly spread over them: every second is dropped whenever they are too many.
+template <class X>
+class thinned {
+public:
+    void add(const X& x) {
+        if (seen++ % stride) return;
+        kept.push_back(x);
+        if (kept.size() < (1u << 14)) return;
+        for (std::size_t i = 0; i < kept.size() / 2; ++i) kept[i] = kept[2 * i];
+        kept.resize(kept.size() / 2);
+        stride *= 2;
+    }
+    std::vector<X> kept;
+
+private:
+    std::size_t seen = 0, stride = 1;
+};
+
 /// Pairs of numbers that ought to be equal. Each pair may differ by `tolerance` (relative) and by four times what rounding does there; the
 /// median of all ratios by `tolerance` and what rounding does on average.
 template <class T>
@@ -31,10 +49,14 @@ public:
         const double size = std::max(std::abs(measured), std::abs(expected));
         if (!(size > smallest)) return;
         ++count;
-        if (expected != 0) ratios.push_back(static_cast<float>(measured / expected));
+        if (expected != 0) ratios.add(measured / expected);
         const double deviation = std::abs(measured - expected) / size;
         if (deviation > closest) closest = deviation, close_at = {measured, expected, deviation, channel, at};
-        if (deviation > tolerance) suspects.push_back({measured, expected, deviation, channel, at});
+        if (!(deviation > tolerance)) return;
+        const suspect one{measured, expected, deviation, channel, at};
+        spread.add(one);
+        largest.push_back(one);
+        if (largest.size() == 4 * worst_kept) keep_largest();
     }
 
     /// noise(place, channel): what rounding does to the two values there.
@@ -42,10 +64,10 @@ public:
     void report_to(report& r, const Noise& noise) {
         if (!count) return;
         // The largest deviations, and as many spread over the rest: the largest may all be rounding.
-        std::vector<suspect> looked_at;
-        std::sort(suspects.begin(), suspects.end(), [](const suspect& a, const suspect& b) { return a.deviation > b.deviation; });
-        const std::size_t stride = std::max<std::size_t>(1, suspects.size() / 192);
-        for (std::size_t i = 0; i < suspects.size(); i += i < 64 ? 1 : stride) looked_at.push_back(suspects[i]);
+        keep_largest();
+        std::vector<suspect> looked_at = largest;
+        const std::size_t step = std::max<std::size_t>(1, spread.kept.size() / 128);
+        for (std::size_t i = 0; i < spread.kept.size(); i += step) looked_at.push_back(spread.kept[i]);
 
         // At one place a function may round alike whatever is done to it: the noise is at least the median of all places.
         std::vector<double> noises, sorted;
@@ -69,9 +91,9 @@ public:
             r.add({{property, at.measured, at.expected, allowed, at.at.text(), explain(wrong, otherwise)}, false});
             return;
         }
-        if (ratios.size() >= 64) {
-            const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-            std::nth_element(ratios.begin(), middle, ratios.end());
+        if (ratios.kept.size() >= 64) {
+            const auto middle = ratios.kept.begin() + static_cast<std::ptrdiff_t>(ratios.kept.size() / 2);
+            std::nth_element(ratios.kept.begin(), middle, ratios.kept.end());
             if (std::abs(*middle - 1) > tolerance + typical) {
                 r.add({{property + ", median ratio", *middle, 1, tolerance + typical, at.at.text(),
                         "the same factor on most values: a constant is wrong"},
@@ -83,6 +105,13 @@ public:
     }
 
 private:
+    static constexpr std::size_t worst_kept = 64;
+
+    void keep_largest() {
+        std::sort(largest.begin(), largest.end(), [](const suspect& a, const suspect& b) { return a.deviation > b.deviation; });
+        if (largest.size() > worst_kept) largest.resize(worst_kept);
+    }
+
     struct suspect {
         double measured, expected, deviation;
         std::size_t channel;
@@ -94,8 +123,9 @@ private:
     long count = 0;
     double closest = -1;
     suspect close_at{};
-    std::vector<suspect> suspects;
-    std::vector<float> ratios;
+    std::vector<suspect> largest;
+    thinned<suspect> spread;
+    thinned<double> ratios;
 };
 
 /// One number a view that ought to be equal to, or at most, another.
@@ -104,6 +134,7 @@ public:
     per_view(std::string of, std::string meaning) : property(std::move(of)), otherwise(std::move(meaning)) {}
 
     void add(double measured, double expected, double allowed, const vec3<double>& v, const std::string& at, bool at_most = false) {
+        upper_bound = at_most;
         const double off = at_most ? measured - expected : std::abs(measured - expected);
         const double excess = off / allowed;
         if (excess > 1) wrong.push_back({measured / expected, v, {0, 0, 1}});
@@ -113,13 +144,24 @@ public:
     void report_to(report& r) const {
         if (!count) return;
         check c{result, worst <= 1};
-        if (!c.passed) c.meaning = explain(wrong, otherwise);
+        if (!c.passed)
+            c.meaning = lacks_one_over_pi() ? "the same albedo from everywhere, plausible once divided by pi: a missing 1/pi"
+                                            : explain(wrong, otherwise);
         r.add(c);
     }
 
 private:
+    /// A furnace that may be anything up to 1: pi times an albedo, from every view.
+    bool lacks_one_over_pi() const {
+        if (!upper_bound || wrong.size() < static_cast<std::size_t>(count)) return false;
+        const auto [low, high] =
+            std::minmax_element(wrong.begin(), wrong.end(), [](const ratio_at& a, const ratio_at& b) { return a.ratio < b.ratio; });
+        return high->ratio < 1.01 * low->ratio && high->ratio < 1.01 * std::numbers::pi;
+    }
+
     std::string property, otherwise;
     finding result;
+    bool upper_bound = false;
     double worst = -1e300;
     int count = 0;
     std::vector<ratio_at> wrong;
