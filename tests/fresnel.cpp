@@ -88,6 +88,27 @@ TEST_CASE("conductors agree with every row of the 40-digit table", "[fresnel]") 
     CHECK(values <= 8);
 }
 
+TEST_CASE("a reflectance is a number in [0,1] in its whole domain, and outside it ends in an assert", "[fresnel]") {
+    int bad = 0;
+    const auto count = [&](const auto& F) {
+        for (int i = 0; i <= 200; ++i) {
+            const float c = i < 100 ? std::pow(10.0f, -0.3f * static_cast<float>(i)) : static_cast<float>(i - 100) / 100, R = F(c);
+            bad += !(R >= 0 && R <= 1 + 8 * 6e-8f);
+        }
+    };
+    for (float eta : {1e-3f, 0.1f, 1.0f, 1.5f, 1e4f, 1e9f}) {
+        for (float k : {0.0f, 1e-3f, 1.0f, 1e5f, 1e9f}) count(conductor{eta, k});
+        count(dielectric{eta});
+        CHECK(conductor{eta, 1e9f}(0.5f) >= 1 - std::max(8 * eta / 1e18f, 4 / (eta + 1)) - 4e-7f);  // a mirror, but where eta is as large
+    }
+    count(dielectric{1e18f});
+    CHECK(bad == 0);
+    const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
+    for (const float k : {-0.1f, 1e10f, infinite, nan}) CHECK(aborts([&] { (void)conductor(1.0f, k); }));
+    for (const float eta : {0.0f, -1.0f, 1e-4f, 1e10f, infinite, nan}) CHECK(aborts([&] { (void)conductor(eta, 1.0f); }));
+    for (const float eta : {0.0f, -1.0f, nan}) CHECK(aborts([&] { (void)dielectric(eta); }));
+}
+
 TEST_CASE("dielectric and conductor are the complex equations", "[fresnel]") {
     random_numbers random(1);
     double insulators = 0, metals = 0;

@@ -176,6 +176,29 @@ TEST_CASE("lights of packs: eight points at once", "[lights]") {
     for (std::size_t i = 0; i < pack::size; ++i) CHECK(E.get(i) == Catch::Approx(one({x[i], 0.1f, 0}).illuminance).margin(1e-6));
 }
 
+TEST_CASE("lights take no vectors of another precision", "[lights]") {
+    const auto shades = []<class B, class V, class L>(const B& brdf, const V& v, const L& light) {
+        return requires { lobe::reflected_radiance(brdf, v, light); };
+    };
+    const auto lights = []<class L, class P>(const L& light, const P& point) { return requires { light(point); }; };
+    const lobe::lambert brdf{0.5f};
+    const vec3<float> n{0, 0, 1};
+    const vec3<double> wide{0, 0, 1};
+    const directional_light sun{n, 1.0f};
+    const point_light bulb{n, 1.0f};
+    const spot_light lamp{n, -n, 1.0f, cone{0.3f, 0.6f}};
+    CHECK((lights(sun, n) && lights(bulb, n) && lights(lamp, n)));
+    CHECK((!lights(sun, wide) && !lights(bulb, wide) && !lights(lamp, wide)));
+    CHECK(shades(brdf, n, sun(n)));
+    CHECK((!shades(brdf, wide, sun(n)) && !shades(brdf, n, directional_light{wide, 1.0}(wide)) && !shades(lobe::lambert{0.5}, n, sun(n))));
+    const lobe::frame<float> at(n);
+    const auto shades_at = []<class B, class A, class V, class L>(const B& b, const A& frame, const V& v, const L& light) {
+        return requires { lobe::reflected_radiance(b, frame, v, light); };
+    };
+    CHECK(shades_at(brdf, at, n, sun(n)));
+    CHECK((!shades_at(brdf, at, wide, sun(n)) && !shades_at(brdf, lobe::frame<double>(wide), n, sun(n))));
+}
+
 TEST_CASE("lights: sizes, and bad parameters end in an assert", "[lights]") {
     static_assert(sizeof(point_light<float, float>) == 16);
     static_assert(sizeof(spot_light<vec3<float>, float>) == 48);

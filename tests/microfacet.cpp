@@ -7,6 +7,8 @@
 #include <lobe/energy/albedo.hpp>
 #include <lobe/energy/random_walk.hpp>
 #include <lobe/fresnel/schlick.hpp>
+#include <lobe/fresnel/schlick_gaussian.hpp>
+#include <lobe/fresnel/schlick_roughness.hpp>
 #include <lobe/ndf/ggx.hpp>
 #include <lobe/sampling/points.hpp>
 
@@ -241,6 +243,34 @@ TEST_CASE("Lambert and sums", "[microfacet]") {
     CHECK(both.width() == vec2<double>{0.1, 0.1});
     static_assert(lobe::brdf<decltype(both)>);
     static_assert(both.isotropic);
+}
+
+TEST_CASE("v and l antiparallel, down to the smallest cosines", "[microfacet]") {
+    const auto finite = [](auto smallest, auto a) {
+        using T = decltype(a);
+        const microfacet brdf{ggx{alpha{a}}, smith_correlated{}, schlick{T(0.04)}};
+        int bad = 0;
+        for (T z = smallest; z < T(1e-3); z *= T(7))
+            for (const vec3<T>& v : {vec3<T>{1, 0, z}, vec3<T>{T(0.6), T(-0.8), z}}) {
+                const vec3<T> l{-v.x, -v.y, z};
+                const auto e = brdf.evaluate(v, l);
+                for (const T x : {brdf.f(v, l), brdf.f_cos(v, l), brdf.pdf(v, l), e.f_cos, e.pdf}) bad += !(x >= 0 && std::isfinite(x));
+            }
+        return bad;
+    };
+    for (double a : {1e-4, 1e-2, 0.3, 1.0}) {
+        CHECK(finite(1e-18f, static_cast<float>(a)) == 0);
+        CHECK(finite(1e-150, a) == 0);
+    }
+}
+
+TEST_CASE("a reflectance of another precision is none", "[microfacet]") {
+    static_assert(lobe::fresnel<schlick<float>, float> && !lobe::fresnel<schlick<float>, double> && !lobe::fresnel<schlick<double>, float>);
+    static_assert(!lobe::fresnel<schlick<vec3<float>>, double> && !lobe::fresnel<lobe::schlick_gaussian<vec3<float>>, double>);
+    static_assert(!lobe::fresnel<lobe::schlick_roughness<float>, double> && !lobe::fresnel<lobe::perfect_reflector<float>, double>);
+    static_assert(lobe::fresnel<lobe::perfect_reflector<>, double> && lobe::fresnel<lobe::perfect_reflector<>, float>);
+    static_assert(std::same_as<decltype(lobe::perfect_reflector<vec3<float>>{}.average()), vec3<float>>);
+    CHECK(lobe::perfect_reflector<vec3<float>>{}(0.3f) == vec3<float>(1));
 }
 
 namespace {

@@ -20,7 +20,7 @@ using lobe::testkit::verify;
 namespace {
 
 template <class B>
-void passes(const std::string& name, const B& brdf, options o = {}) {
+void expect_pass(const std::string& name, const B& brdf, options o = {}) {
     o.name = name;
     o.zero_below = true;
     const auto report = verify(brdf, o);
@@ -66,22 +66,22 @@ TEMPLATE_TEST_CASE("the kit on GGX: every width, masking and sampler", "[testkit
     const schlick gold{vec3<T>{T(1), T(0.71), T(0.29)}};
     for (const double a : {0.005, 0.03, 0.3, 1.0}) {
         const std::string at = " at " + std::to_string(a);
-        passes("ggx" + at, microfacet{ggx{width(a)}, smith_correlated{}, gold});
-        passes("all normals" + at, microfacet{ggx{width(a)}, smith_correlated{}, gold, lobe::all_normals{}});
-        passes("Heitz 2018" + at, microfacet{ggx{width(a)}, smith_correlated{}, gold, lobe::visible_heitz2018{}});
-        passes("bounded caps" + at, microfacet{ggx{width(a)}, smith_correlated{}, gold, lobe::visible_bounded_caps{}});
+        expect_pass("ggx" + at, microfacet{ggx{width(a)}, smith_correlated{}, gold});
+        expect_pass("all normals" + at, microfacet{ggx{width(a)}, smith_correlated{}, gold, lobe::all_normals{}});
+        expect_pass("Heitz 2018" + at, microfacet{ggx{width(a)}, smith_correlated{}, gold, lobe::visible_heitz2018{}});
+        expect_pass("bounded caps" + at, microfacet{ggx{width(a)}, smith_correlated{}, gold, lobe::visible_bounded_caps{}});
     }
     const alpha_xy<T> brushed{T(0.05), T(0.5)};
-    passes("anisotropic", microfacet{ggx{brushed}, smith_correlated{}, gold});
-    passes("anisotropic, Heitz 2018", microfacet{ggx{brushed}, smith_correlated{}, gold, lobe::visible_heitz2018{}});
-    passes("anisotropic, bounded caps", microfacet{ggx{brushed}, smith_correlated{}, gold, lobe::visible_bounded_caps{}});
-    passes("anisotropic, all normals", microfacet{ggx{brushed}, smith_correlated{}, gold, lobe::all_normals{}});
+    expect_pass("anisotropic", microfacet{ggx{brushed}, smith_correlated{}, gold});
+    expect_pass("anisotropic, Heitz 2018", microfacet{ggx{brushed}, smith_correlated{}, gold, lobe::visible_heitz2018{}});
+    expect_pass("anisotropic, bounded caps", microfacet{ggx{brushed}, smith_correlated{}, gold, lobe::visible_bounded_caps{}});
+    expect_pass("anisotropic, all normals", microfacet{ggx{brushed}, smith_correlated{}, gold, lobe::all_normals{}});
     for (const double a : {0.1, 0.7}) {
-        passes("separable", microfacet{ggx{width(a)}, lobe::smith_separable{}, gold});
-        passes("direction correlated", microfacet{ggx{width(a)}, lobe::smith_direction_correlated{}, gold});
-        passes("Hammon", microfacet{ggx{width(a)}, lobe::smith_hammon{}, gold});
-        passes("V-cavities", microfacet{ggx{width(a)}, lobe::v_cavity{}, gold});
-        passes("Schlick-GGX", microfacet{ggx{width(a)}, lobe::schlick_ggx{lobe::k_from_alpha(width(a))}, gold});
+        expect_pass("separable", microfacet{ggx{width(a)}, lobe::smith_separable{}, gold});
+        expect_pass("direction correlated", microfacet{ggx{width(a)}, lobe::smith_direction_correlated{}, gold});
+        expect_pass("Hammon", microfacet{ggx{width(a)}, lobe::smith_hammon{}, gold});
+        expect_pass("V-cavities", microfacet{ggx{width(a)}, lobe::v_cavity{}, gold});
+        expect_pass("Schlick-GGX", microfacet{ggx{width(a)}, lobe::schlick_ggx{lobe::k_from_alpha(width(a))}, gold});
     }
 }
 
@@ -93,7 +93,7 @@ TEMPLATE_TEST_CASE("the kit on every Fresnel reflectance", "[testkit]", float, d
         const auto report = lobe::testkit::verify_fresnel(F, o);
         INFO(report);
         CHECK(report.passed());
-        passes("ggx with " + name, microfacet{ggx{alpha<T>{T(0.3)}}, smith_correlated{}, F});
+        expect_pass("ggx with " + name, microfacet{ggx{alpha<T>{T(0.3)}}, smith_correlated{}, F});
     };
     fresnel("schlick", schlick{vec3<T>{T(0.04), T(0.5), T(1)}});
     fresnel("schlick, F90 = 0.8", schlick{T(0.04), T(0.8)});
@@ -109,36 +109,36 @@ TEMPLATE_TEST_CASE("the kit on every Fresnel reflectance", "[testkit]", float, d
 TEMPLATE_TEST_CASE("the kit on diffuse models", "[testkit]", float, double) {
     using T = TestType;
     const vec3<T> rho{T(0.9), T(0.5), T(0.1)};
-    passes("lambert", lambert{rho});
+    expect_pass("lambert", lambert{rho});
     for (const double r : {0.1, 1.0}) {
-        passes("oren_nayar", lobe::oren_nayar{rho, static_cast<T>(0.5 * r)});
-        passes("fon", lobe::fon{rho, static_cast<T>(r)});
-        passes("eon", lobe::eon{rho, static_cast<T>(r)});
-        passes("burley_frostbite", lobe::burley_frostbite{rho, static_cast<T>(r)});
+        expect_pass("oren_nayar", lobe::oren_nayar{rho, static_cast<T>(0.5 * r)});
+        expect_pass("fon", lobe::fon{rho, static_cast<T>(r)});
+        expect_pass("eon", lobe::eon{rho, static_cast<T>(r)});
+        expect_pass("burley_frostbite", lobe::burley_frostbite{rho, static_cast<T>(r)});
     }
     options white;
     white.lossless = true;
-    passes("white lambert", lambert{T(1)}, white);
-    passes("white eon", lobe::eon{T(1), T(0.7)}, white);
+    expect_pass("white lambert", lambert{T(1)}, white);
+    expect_pass("white eon", lobe::eon{T(1), T(0.7)}, white);
 }
 
 TEST_CASE("the kit on compositions", "[testkit]") {
     const auto gloss = [](double a) { return microfacet{ggx{alpha{a}}, smith_correlated{}, schlick{0.04}}; };
     for (const double a : {0.05, 0.5}) {
-        passes("two speculars", lobe::sum{lobe::weighted{0.5, gloss(a)}, lobe::weighted{0.5, mirror<double>(0.3)}});
-        passes("metallic-roughness, a metal", lobe::metallic_roughness(vec3<double>{0.9, 0.5, 0.2}, 1.0, alpha{a}));
+        expect_pass("two speculars", lobe::sum{lobe::weighted{0.5, gloss(a)}, lobe::weighted{0.5, mirror<double>(0.3)}});
+        expect_pass("metallic-roughness, a metal", lobe::metallic_roughness(vec3<double>{0.9, 0.5, 0.2}, 1.0, alpha{a}));
         const auto E = [table = lobe::bake_dfg<double>(smith_correlated{}, {.size = 32}), a](double mu) {
             const auto t = table(mu, alpha{a});
             return 0.04 * t.scale + t.bias;
         };
         options one_sided;
         one_sided.reciprocal = false;
-        passes("1 - E(v)", lobe::layered{gloss(a), lambert{0.8}, lobe::albedo_coupling{E}}, one_sided);
+        expect_pass("1 - E(v)", lobe::layered{gloss(a), lambert{0.8}, lobe::albedo_coupling{E}}, one_sided);
         const double average = lobe::average_albedo(gloss(a));
-        passes("(1 - E(v))(1 - E(l))", lobe::layered{gloss(a), lambert{0.8}, lobe::reciprocal_coupling{E, average}});
+        expect_pass("(1 - E(v))(1 - E(l))", lobe::layered{gloss(a), lambert{0.8}, lobe::reciprocal_coupling{E, average}});
     }
-    passes("mixture of two widths",
-           microfacet{lobe::mixture{ggx{alpha{0.01}}, ggx{alpha{0.5}}, 0.3}, smith_correlated{}, perfect_reflector{}});
+    expect_pass("mixture of two widths",
+                microfacet{lobe::mixture{ggx{alpha{0.01}}, ggx{alpha{0.5}}, 0.3}, smith_correlated{}, perfect_reflector{}});
 }
 
 TEST_CASE("the kit finds what the literature says of models that are not lossless, not reciprocal, or too bright", "[testkit]") {

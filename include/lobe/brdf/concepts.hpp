@@ -30,6 +30,7 @@ struct direction_sample {
 
 /// A BRDF: `f_cos(v, l)` is f(v,l) cos(theta_l), zero where v or l is below the horizon. `width()` is the scale of its
 /// narrowest structure in half-vector slopes along x and y, for quadrature.
+/// Parameters outside their domain end in an assert; where asserts are compiled out, results mean nothing: NaN, or some number.
 template <class B>
 concept brdf = scalar<typename B::scalar> && requires(const B b, const vec3<typename B::scalar> w) {
     typename B::spectrum;

@@ -15,8 +15,8 @@ namespace lobe {
 template <class S, class Width>
 constexpr auto metallic_roughness(const S& base_color, const typename Width::scalar& metallic, const Width& width) {
     using T = typename Width::scalar;
-    assert(detail::in_unit_interval(base_color));
-    assert(detail::in_unit_interval(metallic));
+    assert(detail::in_unit_interval(base_color) && "metallic_roughness: the base colour must be in [0,1]");
+    assert(detail::in_unit_interval(metallic) && "metallic_roughness: metallic must be in [0,1]");
     const schlick F{S(S(T(4) / T(100)) * (T(1) - metallic) + base_color * metallic)};
     return layered{microfacet{ggx{width}, smith_correlated{}, F}, lambert{S(base_color * (T(1) - metallic))}, fresnel_coupling{F}};
 }

@@ -12,11 +12,13 @@ namespace lobe {
 /// is and v.m = |s|/2.
 /// v, l unit, in tangent space; f, f_cos, pdf are zero unless both are above the horizon. Reciprocal to rounding.
 /// Sampled where the sampler can draw normals of the distribution.
+/// Domain: cosines of 1e-18 and more in float, 1e-150 in double; below, where l nears -v, |v + l|^2 is no number any more, nor is f.
 template <class N, class M, class F, class Sampler = visible_caps>
 class microfacet : exact_vectors {
     static_assert(distribution<N>, "the first part of a microfacet BRDF is a distribution of normals");
     static_assert(masking<M, N>, "the second part is a masking model for that distribution");
-    static_assert(fresnel<F, typename N::scalar>, "the third part is a Fresnel reflectance: a callable of v.m, with average()");
+    static_assert(fresnel<F, typename N::scalar>,
+                  "the third part is a Fresnel reflectance, a callable of v.m with average(), in the type of the distribution's numbers");
     using T = typename N::scalar;
     using S = decltype(std::declval<const F&>()(std::declval<const T&>()));
 
@@ -31,25 +33,25 @@ public:
         static_assert(brdf<microfacet>);
     }
 
-    constexpr S f(const vec3<T>& v, const vec3<T>& l) const {
+    // (Inlined by force, all of it: compilers would call what they meet twice, and a loop with a call does not vectorise.)
+    [[gnu::always_inline]] constexpr S f(const vec3<T>& v, const vec3<T>& l) const {
         const half h(v + l);
         return fresnel_(h.v_m) * select(above(v, l), ndf.D(h.s) / (T(4) * shadow.denominator(ndf, v, l)), T(0));
     }
 
-    constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const {
+    [[gnu::always_inline]] constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const {
         const half h(v + l);
         return fresnel_(h.v_m) * select(above(v, l), ndf.D(h.s) * l.z / (T(4) * shadow.denominator(ndf, v, l)), T(0));
     }
 
-    constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const
+    [[gnu::always_inline]] constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const
         requires normal_sampler<Sampler, N>
     {
         const half h(v + l);
         return select(above(v, l), ndf.D(h.s) / (T(4) * sampler.area(ndf, v, h.v_m, h.m_z(), detail::area_above(ndf, v))), T(0));
     }
 
-    /// f_cos and pdf together, sharing their work: for multiple importance sampling. (Inlined by force, as is `sample`: clang
-    /// would call them, and a loop with a call does not vectorise.)
+    /// f_cos and pdf together, sharing their work: for multiple importance sampling.
     [[gnu::always_inline]] constexpr evaluation<S, T> evaluate(const vec3<T>& v, const vec3<T>& l) const
         requires normal_sampler<Sampler, N>
     {
@@ -75,7 +77,7 @@ public:
     }
 
     /// F(n.v): what a composition shares its samples by.
-    constexpr S albedo_estimate(const vec3<T>& v) const { return fresnel_(min(max(v.z, T(0)), T(1))); }
+    [[gnu::always_inline]] constexpr S albedo_estimate(const vec3<T>& v) const { return fresnel_(min(max(v.z, T(0)), T(1))); }
 
     constexpr vec2<T> width() const { return ndf.width(); }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cassert>
 #include <tuple>
+#include <utility>
 
 namespace lobe {
 
@@ -30,7 +31,7 @@ constexpr T mean(const S& s) {
 
 /// A BRDF's own estimate of its albedo, `albedo_estimate(v)`, or 1.
 template <brdf B>
-constexpr typename B::spectrum albedo_estimate(const B& b, const vec3<typename B::scalar>& v) {
+[[gnu::always_inline]] constexpr typename B::spectrum albedo_estimate(const B& b, const vec3<typename B::scalar>& v) {
     if constexpr (requires { b.albedo_estimate(v); })
         return b.albedo_estimate(v);
     else
@@ -51,30 +52,33 @@ public:
     using exact_vectors::f, exact_vectors::f_cos, exact_vectors::pdf, exact_vectors::evaluate, exact_vectors::sample;
     static constexpr bool isotropic = B::isotropic;
 
-    constexpr weighted(const T& weight, const B& lobe) : w(weight), b(lobe) { assert(all(w >= T(0))); }
+    constexpr weighted(const T& weight, const B& lobe) : w(weight), b(lobe) {
+        assert(all(w >= T(0)) && "weighted: the weight must not be negative");
+    }
 
-    constexpr S f(const vec3<T>& v, const vec3<T>& l) const { return b.f(v, l) * w; }
-    constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const { return b.f_cos(v, l) * w; }
+    // (Inlined by force: see `sum`.)
+    [[gnu::always_inline]] constexpr S f(const vec3<T>& v, const vec3<T>& l) const { return b.f(v, l) * w; }
+    [[gnu::always_inline]] constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const { return b.f_cos(v, l) * w; }
 
-    constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const
+    [[gnu::always_inline]] constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const
         requires samplable_brdf<B>
     {
         return b.pdf(v, l);
     }
-    constexpr evaluation<S, T> evaluate(const vec3<T>& v, const vec3<T>& l) const
+    [[gnu::always_inline]] constexpr evaluation<S, T> evaluate(const vec3<T>& v, const vec3<T>& l) const
         requires samplable_brdf<B>
     {
         const auto e = b.evaluate(v, l);
         return {e.f_cos * w, e.pdf};
     }
-    constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const
+    [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const
         requires samplable_brdf<B>
     {
         const auto s = b.sample(v, u);
         return {s.l, s.weight * w, s.pdf};
     }
 
-    constexpr S albedo_estimate(const vec3<T>& v) const { return detail::albedo_estimate(b, v) * w; }
+    [[gnu::always_inline]] constexpr S albedo_estimate(const vec3<T>& v) const { return detail::albedo_estimate(b, v) * w; }
     constexpr vec2<T> width() const { return b.width(); }
 
     template <class G>
@@ -113,57 +117,29 @@ public:
 
     constexpr explicit sum(const First& first, const Rest&... rest) : lobes(first, rest...) {}
 
-    constexpr S f(const vec3<T>& v, const vec3<T>& l) const {
-        return std::apply([&](const auto& first, const auto&... rest) { return (first.f(v, l) + ... + rest.f(v, l)); }, lobes);
-    }
-    constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const {
-        return std::apply([&](const auto& first, const auto&... rest) { return (first.f_cos(v, l) + ... + rest.f_cos(v, l)); }, lobes);
-    }
+    // (Inlined by force, and without std::apply: compilers would call it, and a loop with a call does not vectorise.)
+    [[gnu::always_inline]] constexpr S f(const vec3<T>& v, const vec3<T>& l) const { return f(v, l, every_lobe); }
+    [[gnu::always_inline]] constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const { return f_cos(v, l, every_lobe); }
 
-    constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const
+    [[gnu::always_inline]] constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const
         requires samplable
     {
-        const auto q = choices(v);
-        T density(0), rest(1);
-        std::size_t i = 0;
-        for_each_lobe([&](const auto& lobe) {
-            density = density + rest * q[i] * lobe.pdf(v, l);
-            rest = rest * (T(1) - q[i++]);
-        });
-        return density;
+        return pdf(v, l, every_lobe);
     }
 
-    constexpr evaluation<S, T> evaluate(const vec3<T>& v, const vec3<T>& l) const
+    [[gnu::always_inline]] constexpr evaluation<S, T> evaluate(const vec3<T>& v, const vec3<T>& l) const
         requires samplable
     {
-        return evaluate(choices(v), v, l);
+        return evaluate(choices(v, every_lobe), v, l, every_lobe);
     }
 
-    constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const
+    [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const
         requires samplable
     {
-        const vec3<T> n{T(0), T(0), T(1)};
-        const auto q = choices(v);
-        vec3<T> l = n;
-        T x = u.x, chosen_pdf(0);  // x > 1, which it stays: one was chosen
-        std::size_t i = 0;
-        for_each_lobe([&](const auto& lobe) {
-            const auto here = x < q[i];
-            const auto s = lobe.sample(v, {select(here, x / select(here, q[i], T(1)), T(0)), u.y});
-            l = select(here, s.l, l);
-            chosen_pdf = select(here, s.pdf, chosen_pdf);
-            x = select(here, T(2), T(1) - (T(1) - x) / select(q[i] < T(1), T(1) - q[i], T(1)));  // (x - q)/(1 - q), which may round to 1
-            ++i;
-        });
-        const auto e = evaluate(q, v, l);
-        const auto valid = chosen_pdf > T(0) && e.pdf > T(0);
-        return {select(valid, l, n), e.f_cos * select(valid, T(1) / e.pdf, T(0)), select(valid, e.pdf, T(0))};
+        return sample(v, u, every_lobe);
     }
 
-    constexpr S albedo_estimate(const vec3<T>& v) const {
-        const auto add = [&](const auto&... lobe) { return (detail::albedo_estimate(lobe, v) + ...); };
-        return std::apply(add, lobes);
-    }
+    [[gnu::always_inline]] constexpr S albedo_estimate(const vec3<T>& v) const { return albedo_estimate(v, every_lobe); }
 
     /// The narrowest along each axis.
     constexpr vec2<T> width() const {
@@ -177,38 +153,84 @@ public:
 
     template <class G>
     constexpr void for_each_lobe(const G& g) const {
-        std::apply([&](const auto&... lobe) { (g(lobe), ...); }, lobes);
+        for_each_lobe(g, every_lobe);
     }
 
 private:
     static constexpr std::size_t count = 1 + sizeof...(Rest);
+    static constexpr auto every_lobe = std::make_index_sequence<count>{};
     using probabilities = std::array<T, count>;
+
+    template <class G, std::size_t... i>
+    constexpr void for_each_lobe(const G& g, std::index_sequence<i...>) const {
+        (g(std::get<i>(lobes)), ...);
+    }
+
+    template <std::size_t... i>
+    [[gnu::always_inline]] constexpr S f(const vec3<T>& v, const vec3<T>& l, std::index_sequence<i...>) const {
+        return (std::get<i>(lobes).f(v, l) + ...);
+    }
+    template <std::size_t... i>
+    [[gnu::always_inline]] constexpr S f_cos(const vec3<T>& v, const vec3<T>& l, std::index_sequence<i...>) const {
+        return (std::get<i>(lobes).f_cos(v, l) + ...);
+    }
+    template <std::size_t... i>
+    [[gnu::always_inline]] constexpr S albedo_estimate(const vec3<T>& v, std::index_sequence<i...>) const {
+        return (detail::albedo_estimate(std::get<i>(lobes), v) + ...);
+    }
 
     /// The probability of each lobe, given that none before it was chosen: its share of what is left. So `rest`, the product of
     /// 1 - q, is exactly how often the others come to their turn, whatever was rounded here; the last has 1. All black: even shares.
-    constexpr probabilities choices(const vec3<T>& v) const {
-        const auto estimates = [&](const auto&... lobe) { return probabilities{detail::mean<T>(detail::albedo_estimate(lobe, v))...}; };
-        probabilities q = std::apply(estimates, lobes);
+    template <std::size_t... i>
+    [[gnu::always_inline]] constexpr probabilities choices(const vec3<T>& v, std::index_sequence<i...>) const {
+        probabilities q{detail::mean<T>(detail::albedo_estimate(std::get<i>(lobes), v))...};
         T left(0);
-        for (std::size_t i = count; i-- > 0;) {
-            left = left + q[i];
+        for (std::size_t k = count; k-- > 0;) {
+            left = left + q[k];
             const auto lit = left > T(0);
-            q[i] = select(lit, q[i] / select(lit, left, T(1)), T(1) / T(static_cast<int>(count - i)));
+            q[k] = select(lit, q[k] / select(lit, left, T(1)), T(1) / T(static_cast<int>(count - k)));
         }
         return q;
     }
 
-    constexpr evaluation<S, T> evaluate(const probabilities& q, const vec3<T>& v, const vec3<T>& l) const {
-        S f_cos(T(0));
+    template <std::size_t... i>
+    [[gnu::always_inline]] constexpr T pdf(const vec3<T>& v, const vec3<T>& l, std::index_sequence<i...>) const {
+        const auto q = choices(v, every_lobe);
         T density(0), rest(1);
-        std::size_t i = 0;
-        for_each_lobe([&](const auto& lobe) {
-            const auto e = lobe.evaluate(v, l);
-            f_cos = f_cos + e.f_cos;
-            density = density + rest * q[i] * e.pdf;
-            rest = rest * (T(1) - q[i++]);
-        });
-        return {f_cos, density};
+        ((density = density + rest * q[i] * std::get<i>(lobes).pdf(v, l), rest = rest * (T(1) - q[i])), ...);
+        return density;
+    }
+
+    template <std::size_t... i>
+    [[gnu::always_inline]] constexpr evaluation<S, T> evaluate(const probabilities& q, const vec3<T>& v, const vec3<T>& l,
+                                                               std::index_sequence<i...>) const {
+        evaluation<S, T> total{S(T(0)), T(0)};
+        T rest(1);
+        const auto add = [&](const evaluation<S, T>& e, const T& p) {
+            total = {total.f_cos + e.f_cos, total.pdf + rest * p * e.pdf};
+            rest = rest * (T(1) - p);
+        };
+        (add(std::get<i>(lobes).evaluate(v, l), q[i]), ...);
+        return total;
+    }
+
+    template <std::size_t... i>
+    [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u, std::index_sequence<i...>) const {
+        const vec3<T> n{T(0), T(0), T(1)};
+        const auto q = choices(v, every_lobe);
+        vec3<T> l = n;
+        T x = u.x, chosen_pdf(0);  // x > 1, which it stays: one was chosen
+        const auto stretched = [&](const T& p) { return select(x < p, x / select(x < p, p, T(1)), T(0)); };
+        const auto keep = [&](const direction_sample<S, T>& s, const T& p) {
+            const auto here = x < p;
+            l = select(here, s.l, l);
+            chosen_pdf = select(here, s.pdf, chosen_pdf);
+            x = select(here, T(2), T(1) - (T(1) - x) / select(p < T(1), T(1) - p, T(1)));  // (x - p)/(1 - p), which may round to 1
+        };
+        (keep(std::get<i>(lobes).sample(v, {stretched(q[i]), u.y}), q[i]), ...);
+        const auto e = evaluate(q, v, l, every_lobe);
+        const auto valid = chosen_pdf > T(0) && e.pdf > T(0);
+        return {select(valid, l, n), e.f_cos * select(valid, T(1) / e.pdf, T(0)), select(valid, e.pdf, T(0))};
     }
 
     std::tuple<First, Rest...> lobes;

@@ -15,7 +15,7 @@ public:
     using scalar = T;
     static constexpr bool isotropic = true;
 
-    constexpr explicit alpha(const T& value) : a(value) { assert(all(a > T(0))); }
+    constexpr explicit alpha(const T& value) : a(value) { assert(all(a > T(0)) && "alpha must be above 0"); }
 
     /// alpha = r^2 (Burley 2012, "Physically-Based Shading at Disney", section 5.4).
     static constexpr alpha from_roughness(const T& r) { return alpha(r * r); }
@@ -56,8 +56,8 @@ public:
     static constexpr bool isotropic = false;
 
     constexpr alpha_xy(const T& along_x, const T& along_y) : ax(along_x), ay(along_y) {
-        assert(all(ax > T(0)));
-        assert(all(ay > T(0)));
+        assert(all(ax > T(0)) && "alpha_xy: both widths must be above 0");
+        assert(all(ay > T(0)) && "alpha_xy: both widths must be above 0");
     }
 
     static constexpr alpha_xy at_least(const T& along_x, const T& along_y, const T& floor) {
@@ -85,11 +85,10 @@ public:
     constexpr vec3<T> stretch(const vec3<T>& w) const { return {ax * w.x, ay * w.y, w.z}; }
     constexpr vec3<T> unstretch(const vec3<T>& m) const { return {ay * m.x, ax * m.y, ax * ay * m.z}; }
 
-    /// (m.m)^2 / (ax ay ((x/ax)^2 + (y/ay)^2 + z^2)^2), with one division.
+    /// (m.m)^2 / (ax ay ((x/ax)^2 + (y/ay)^2 + z^2)^2). Numerator and denominator share the squares, so what rounding does to them cancels.
     constexpr T density_ratio(const vec3<T>& m) const {
-        const vec3<T> s = unstretch(m);
-        const T p = ax * ay;
-        const T k = p * (dot(m, m) / dot(s, s));
+        const T xx = m.x * m.x, yy = m.y * m.y, zz = m.z * m.z, p = ax * ay;
+        const T k = (xx + yy + zz) / (ay / ax * xx + ax / ay * yy + p * zz);
         return k * k * p;
     }
 
@@ -99,17 +98,17 @@ private:
 
     static constexpr vec2<T> disney(const T& r, const T& a) {
         using std::sqrt;
-        assert(all(a >= T(0)) && all(a <= T(1)));
+        assert(all(a >= T(0)) && all(a <= T(1)) && "from_disney: the anisotropy must be in [0,1]");
         const T aspect = sqrt(T(1) - T(9) / T(10) * a);
         return {r * r / aspect, r * r * aspect};
     }
     static constexpr vec2<T> imageworks(const T& r, const T& k) {
-        assert(all(k >= T(-1)) && all(k <= T(1)));
+        assert(all(k >= T(-1)) && all(k <= T(1)) && "from_imageworks: the anisotropy must be in [-1,1]");
         return {r * r * (T(1) + k), r * r * (T(1) - k)};
     }
     static constexpr vec2<T> openpbr(const T& r, const T& a) {
         using std::sqrt;
-        assert(all(a >= T(0)) && all(a <= T(1)));
+        assert(all(a >= T(0)) && all(a <= T(1)) && "from_openpbr: the anisotropy must be in [0,1]");
         const T narrow = T(1) - a, x = r * r * sqrt(T(2) / (T(1) + narrow * narrow));
         return {x, narrow * x};
     }

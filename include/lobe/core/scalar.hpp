@@ -91,8 +91,9 @@ struct sincos_result {
 /// sin(2 pi r) = r (2 pi + r^2 P(r^2)), cos(2 pi r) = 1 + r^2 Q(r^2). (Remez, relative error below 1e-8 in
 /// float, 3e-17 in double, coefficients rounded.) No branch and no libm call, so it vectorises.
 /// Domain: u in [-1/8, 9/8]. Error: at most 2 ULP in float and double. Other scalars call `sin` and `cos` by ADL.
+/// (Inlined by force: every sampler needs it, and a loop with a call does not vectorise.)
 template <scalar T>
-constexpr sincos_result<T> sincos_2pi(const T& u) {
+[[gnu::always_inline]] constexpr sincos_result<T> sincos_2pi(const T& u) {
     if constexpr (!std::same_as<lane_t<T>, float> && !std::same_as<lane_t<T>, double>) {
         using std::cos, std::sin;
         return {sin(T(2) * pi<T>() * u), cos(T(2) * pi<T>() * u)};

@@ -25,12 +25,18 @@ struct component<S> {
 template <class S>
 using component_t = typename component<S>::type;
 
+/// May a formula ask a spectrum S for a cosine of type T? Numbers, vectors and types that name their `value_type` want that type: C++
+/// and GLM would convert any other without a word. A type of the user's own that names none is taken at its word.
+template <class T, class S>
+concept component_of = scalar<T> && (std::same_as<T, component_t<S>> || !(scalar<S> || requires { typename S::value_type; }));
+
+// (Inlined by force: a formula of three wavelengths is large, and a loop with a call does not vectorise.)
 template <class F, scalar T, std::same_as<T>... More>
-constexpr T by_component(const F& f, const T& a, const More&... more) {
+[[gnu::always_inline]] constexpr T by_component(const F& f, const T& a, const More&... more) {
     return f(a, more...);
 }
 template <class F, scalar T, std::same_as<vec3<T>>... More>
-constexpr vec3<T> by_component(const F& f, const vec3<T>& a, const More&... more) {
+[[gnu::always_inline]] constexpr vec3<T> by_component(const F& f, const vec3<T>& a, const More&... more) {
     return {f(a.x, more.x...), f(a.y, more.y...), f(a.z, more.z...)};
 }
 

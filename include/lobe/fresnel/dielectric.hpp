@@ -10,8 +10,9 @@ namespace lobe {
 /// Cook & Torrance 1982 and Walter et al. 2007, eq. 22, with (g - c)/(g + c) = e/(e + 2 c (g + c)), e = eta^2 - 1:
 /// nothing cancels near eta = 1, and towards grazing it is 1 - 2 c/g, whatever the rounding of c/g.
 /// eta: index on the far side over that on the side of v (> 1 from air into glass, < 1 from inside: total internal
-/// reflection), one number or vec3 (dispersion). Domain: eta > 0, finite; c in [0,1].
-/// Error: 8 ULP for eta in [0.3,10]; near the critical angle as much again as rounding c and eta does.
+/// reflection), one number or vec3 (dispersion). Domain: eta > 0 whose square is finite; c in [0,1].
+/// Error: 8 ULP for eta in [0.3,10]; near the critical angle, which nears the normal as eta nears 0, as much again as rounding c and eta
+/// does (float, eta = 1e-3, c = 1: 9e-5).
 template <class S>
 class dielectric {
     using T = detail::component_t<S>;
@@ -21,11 +22,12 @@ public:
     using spectrum = S;
 
     constexpr explicit dielectric(const S& relative_index) : eta(relative_index) {
-        assert(detail::every([](const T& x) { return x > T(0); }, eta));
+        assert(detail::every([](const T& x) { return x > T(0); }, eta) && "dielectric: eta must be above 0");
     }
 
+    // (Inlined by force: see `by_component`.)
     template <std::same_as<T> U>
-    constexpr S operator()(const U& c) const {
+    [[gnu::always_inline]] constexpr S operator()(const U& c) const {
         return detail::by_component([&](const T& n) { return reflectance(n, c); }, eta);
     }
 

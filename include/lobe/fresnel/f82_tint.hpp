@@ -23,11 +23,12 @@ public:
 
     constexpr f82_tint(const S& reflectance_0, const S& tint)
         : base(reflectance_0), b(base(T(1) / T(7)) * (S(T(1)) - tint) * (T(823543) / T(46656))) {
-        assert(detail::in_unit_interval(tint));
+        assert(detail::in_unit_interval(tint) && "f82_tint: the tint must be in [0,1]");
     }
 
+    // (Inlined by force: see `by_component`.)
     template <std::same_as<T> U>
-    constexpr S operator()(const U& u) const {
+    [[gnu::always_inline]] constexpr S operator()(const U& u) const {
         const T w = T(1) - u, w3 = w * w * w;
         return detail::by_component([](const T& x) { return max(x, T(0)); }, base(u) - b * (u * w3 * w3));
     }

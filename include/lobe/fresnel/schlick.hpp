@@ -18,11 +18,11 @@ template <class S, class F90 = unit>
 class schlick {
 public:
     constexpr explicit schlick(const S& reflectance_0, const F90& reflectance_90 = {}) : f0(reflectance_0), f90(reflectance_90) {
-        assert(detail::in_unit_interval(f0));
-        if constexpr (!std::same_as<F90, unit>) assert(detail::in_unit_interval(f90));
+        assert(detail::in_unit_interval(f0) && "schlick: F0 must be in [0,1]");
+        if constexpr (!std::same_as<F90, unit>) assert(detail::in_unit_interval(f90) && "schlick: F90 must be in [0,1]");
     }
 
-    template <scalar T>
+    template <detail::component_of<S> T>
     constexpr S operator()(const T& u) const {
         const T w = T(1) - u;
         const T w2 = w * w;
@@ -49,8 +49,18 @@ private:
     [[no_unique_address]] F90 f90;
 };
 
-/// F = 1: what the white furnace and every albedo of the microsurface alone assume.
+/// F = 1: what the white furnace and every albedo of the microsurface alone assume. S is the spectrum; `perfect_reflector{}` answers in the
+/// type of the cosine, and its average is a double.
+template <class S = void>
 struct perfect_reflector {
+    template <detail::component_of<S> T>
+    constexpr S operator()(const T&) const {
+        return average();
+    }
+    constexpr S average() const { return S(detail::component_t<S>(1)); }
+};
+template <>
+struct perfect_reflector<void> {
     template <scalar T>
     constexpr T operator()(const T&) const {
         return T(1);

@@ -14,11 +14,11 @@ template <class S, class F90 = unit>
 class schlick_gaussian {
 public:
     constexpr explicit schlick_gaussian(const S& reflectance_0, const F90& reflectance_90 = {}) : f0(reflectance_0), f90(reflectance_90) {
-        assert(detail::in_unit_interval(f0));
-        if constexpr (!std::same_as<F90, unit>) assert(detail::in_unit_interval(f90));
+        assert(detail::in_unit_interval(f0) && "schlick_gaussian: F0 must be in [0,1]");
+        if constexpr (!std::same_as<F90, unit>) assert(detail::in_unit_interval(f90) && "schlick_gaussian: F90 must be in [0,1]");
     }
 
-    template <scalar T>
+    template <detail::component_of<S> T>
     constexpr S operator()(const T& u) const {
         using std::exp2;
         return f0 + (grazing() - f0) * T(exp2((detail::constant<T>(-5.55473) * u + detail::constant<T>(-6.98316)) * u));

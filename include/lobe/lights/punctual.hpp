@@ -14,6 +14,13 @@ namespace lobe {
 //   spot_light          intensity     candela inside the inner cone
 // A light is called with a point and answers with what arrives there. S: one number or linear rgb.
 
+/// GLM converts float and double vectors into each other without a word. A light that derives from this, and `using`s its
+/// operator, does not.
+struct exact_points {
+    template <class P>
+    void operator()(const P&) const = delete;
+};
+
 /// What arrives at a point: the unit direction `l` to the light, and the illuminance of a surface that faces it, in lux.
 template <class S, scalar T>
 struct incident_light {
@@ -24,23 +31,23 @@ struct incident_light {
 /// L = f(v,l) cos(theta_l) E: the reflectance equation of one light; no integral is left. v, light.l in tangent space.
 /// Lux gives cd/m^2 (W/m^2 gives W/(m^2 sr)), so under E = 1 a white Lambertian surface shows 1/pi: engines that want 1 there put
 /// the pi into their lights.
-template <brdf B, class S>
-constexpr auto reflected_radiance(const B& b, const vec3<typename B::scalar>& v, const incident_light<S, typename B::scalar>& light) {
+template <brdf B, class S, std::same_as<typename B::scalar> T>
+constexpr auto reflected_radiance(const B& b, const vec3<T>& v, const incident_light<S, T>& light) {
     return b.f_cos(v, light.l) * light.illuminance;
 }
 
 /// The same with v and light.l in the space of the frame's vectors.
-template <brdf B, class S>
-constexpr auto reflected_radiance(const B& b, const frame<typename B::scalar>& at, const vec3<typename B::scalar>& v,
-                                  const incident_light<S, typename B::scalar>& light) {
+template <brdf B, class S, std::same_as<typename B::scalar> T>
+constexpr auto reflected_radiance(const B& b, const frame<T>& at, const vec3<T>& v, const incident_light<S, T>& light) {
     return b.f_cos(at.to_local(v), at.to_local(light.l)) * light.illuminance;
 }
 
 /// So far away that it shines on all points alike. `to_light`: unit, from the surface to the light (glTF's node shines along -z, so
 /// this is its +z).
 template <class S, scalar T>
-class directional_light {
+class directional_light : exact_points {
 public:
+    using exact_points::operator();
     constexpr directional_light(const vec3<T>& to_light, const S& illuminance) : l(to_light), E(illuminance) {}
 
     constexpr incident_light<S, T> operator()(const vec3<T>&) const { return {l, E}; }
@@ -63,7 +70,9 @@ struct inverse_square {
 template <scalar T>
 class inverse_square_within {
 public:
-    constexpr explicit inverse_square_within(const T& range) : inverse_range2(T(1) / (range * range)) { assert(all(range > T(0))); }
+    constexpr explicit inverse_square_within(const T& range) : inverse_range2(T(1) / (range * range)) {
+        assert(all(range > T(0)) && "inverse_square_within: the range must be above 0");
+    }
 
     constexpr T operator()(const T& d2) const {
         const T x = d2 * inverse_range2;
@@ -77,8 +86,9 @@ private:
 /// The same intensity in all directions: E = I falloff(d^2). A source of the luminous power P (lumen) has I = P/(4 pi).
 /// Domain: every point but the light's own position.
 template <class S, scalar T, class Falloff = inverse_square>
-class point_light {
+class point_light : exact_points {
 public:
+    using exact_points::operator();
     constexpr point_light(const vec3<T>& position, const S& intensity, const Falloff& falloff = {})
         : p(position), I(intensity), attenuation(falloff) {}
 
@@ -104,7 +114,7 @@ class cone {
 public:
     constexpr cone(const T& inner, const T& outer) {
         using std::sin;
-        assert(all(inner >= T(0)) && all(inner < outer) && all(outer <= pi<T>() / T(2)));
+        assert(all(inner >= T(0)) && all(inner < outer) && all(outer <= pi<T>() / T(2)) && "cone: 0 <= inner < outer <= pi/2");
         const T i = sin(inner / T(2)), o = sin(outer / T(2));
         inside = T(2) * i * i;
         inverse_width = T(1) / (T(2) * (o - i) * (o + i));
@@ -127,11 +137,12 @@ private:
 
 /// A point light within a cone around `axis`, a unit vector that points where the light goes (glTF: the node's -z).
 template <class S, scalar T, class Falloff = inverse_square>
-class spot_light {
+class spot_light : exact_points {
 public:
+    using exact_points::operator();
     constexpr spot_light(const vec3<T>& position, const vec3<T>& axis, const S& intensity, const cone<T>& angles,
                          const Falloff& falloff = {})
-        : bulb(position, intensity, falloff), a(axis), shade(angles) {}
+        : a(axis), bulb(position, intensity, falloff), shade(angles) {}
 
     constexpr incident_light<S, T> operator()(const vec3<T>& point) const {
         const incident_light<S, T> light = bulb(point);
@@ -139,8 +150,8 @@ public:
     }
 
 private:
+    vec3<T> a;  // first: two lights at one address would cost a word of padding
     point_light<S, T, Falloff> bulb;
-    vec3<T> a;
     cone<T> shade;
 };
 

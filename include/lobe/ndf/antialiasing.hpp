@@ -17,14 +17,14 @@ namespace lobe {
 template <scalar T>
 constexpr alpha<T> widened(const alpha<T>& a, const T& variance) {
     using std::sqrt;
-    assert(all(variance >= T(0)));
+    assert(all(variance >= T(0)) && "widened: a variance must not be negative");
     return alpha<T>(sqrt(a.value() * a.value() + T(2) * variance));
 }
 
 template <scalar T>
 constexpr alpha_xy<T> widened(const alpha_xy<T>& a, const T& variance) {
     using std::sqrt;
-    assert(all(variance >= T(0)));
+    assert(all(variance >= T(0)) && "widened: a variance must not be negative");
     return {sqrt(a.x() * a.x() + T(2) * variance), sqrt(a.y() * a.y() + T(2) * variance)};
 }
 
@@ -118,20 +118,20 @@ struct clean_moments {
     constexpr T variance() const { return max(M - dot(b, b), T(0)) / T(2); }
 };
 
-/// The slope variance that an averaged normal's length in (0,1] tells: (1 - |N|)/|N|. No map but the normals is needed.
-/// Toksvig 2005, "Mipmapping Normal Maps". Too small by 0.2 %, 1.9 %, 8 %, 22 % for Gaussian slopes of variance 0.001, 0.01, 0.05, 0.2.
+/// The slope variance that an averaged normal's length tells: (1 - |N|)/|N|. No map but the normals is needed. Lengths above 1, which
+/// rounding and 8-bit maps produce, count as 1. Toksvig 2005, "Mipmapping Normal Maps".
+/// Too small by 0.2 %, 1.9 %, 8 %, 22 % for Gaussian slopes of variance 0.001, 0.01, 0.05, 0.2. Domain: |N| > 0.
 template <scalar T>
 constexpr T toksvig_variance(const T& length_of_mean_normal) {
-    assert(all(length_of_mean_normal > T(0)) && all(length_of_mean_normal <= T(1)));
-    return (T(1) - length_of_mean_normal) / length_of_mean_normal;
+    assert(all(length_of_mean_normal > T(0)) && "toksvig_variance: the mean normal must have a length above 0");
+    return max(T(1) - length_of_mean_normal, T(0)) / length_of_mean_normal;
 }
 
 /// Toksvig's own form, for a Phong exponent p: p' = p |N|/(|N| + p (1 - |N|)), and so 1/p' = 1/p + variance.
 template <scalar T>
 constexpr T toksvig_exponent(const T& p, const T& length_of_mean_normal) {
-    assert(all(p >= T(0)));
-    assert(all(length_of_mean_normal > T(0)) && all(length_of_mean_normal <= T(1)));
-    return p * length_of_mean_normal / (length_of_mean_normal + p * (T(1) - length_of_mean_normal));
+    assert(all(p >= T(0)) && "toksvig_exponent: an exponent must not be negative");
+    return p / (T(1) + p * toksvig_variance(length_of_mean_normal));
 }
 
 /// The variance, along each axis, of the unit normal over a pixel whose filter is a Gaussian of variance 1/(2 pi) pixels^2:
@@ -142,21 +142,21 @@ constexpr T pixel_variance(const vec3<T>& dn_dx, const vec3<T>& dn_dy) {
     return (dot(dn_dx, dn_dx) + dot(dn_dy, dn_dy)) * (inv_pi<T>() / T(4));
 }
 
-/// alpha'^2 = min(1, alpha^2 + min(2 pixel_variance, kappa)), kappa = 0.18: what a deferred renderer can afford.
+/// alpha'^2 = min(alpha^2 + min(2 pixel_variance, kappa), max(1, alpha^2)), kappa = 0.18: what a deferred renderer can afford.
 /// Tokuyoshi & Kaplanyan 2021, "Stable Geometric Specular Antialiasing with Projected-Space NDF Filtering", listing 5. kappa keeps
 /// edges, where derivatives mean nothing, from going matte. (Filament: 0.2 and 2 * 0.15 (|dn/dx|^2 + |dn/dy|^2).)
-/// Domain: alpha <= 1.
 template <scalar T>
 constexpr alpha<T> widened_by_pixel(const alpha<T>& a, const vec3<T>& dn_dx, const vec3<T>& dn_dy, const T& kappa = T(9) / T(50)) {
     using std::sqrt;
-    return alpha<T>(sqrt(min(a.value() * a.value() + min(T(2) * pixel_variance(dn_dx, dn_dy), kappa), T(1))));
+    const T a2 = a.value() * a.value();
+    return alpha<T>(sqrt(min(a2 + min(T(2) * pixel_variance(dn_dx, dn_dy), kappa), max(a2, T(1)))));
 }
 
 template <scalar T>
 constexpr alpha_xy<T> widened_by_pixel(const alpha_xy<T>& a, const vec3<T>& dn_dx, const vec3<T>& dn_dy, const T& kappa = T(9) / T(50)) {
     using std::sqrt;
-    const T k2 = min(T(2) * pixel_variance(dn_dx, dn_dy), kappa);
-    return {sqrt(min(a.x() * a.x() + k2, T(1))), sqrt(min(a.y() * a.y() + k2, T(1)))};
+    const T k2 = min(T(2) * pixel_variance(dn_dx, dn_dy), kappa), x2 = a.x() * a.x(), y2 = a.y() * a.y();
+    return {sqrt(min(x2 + k2, max(x2, T(1)))), sqrt(min(y2 + k2, max(y2, T(1))))};
 }
 
 /// The full filter: the half vector's footprint as a matrix. GGX seen from above is, in the disk of (m.x, m.y), a distribution of
@@ -167,7 +167,7 @@ constexpr alpha_xy<T> widened_by_pixel(const alpha_xy<T>& a, const vec3<T>& dn_d
 template <scalar T>
 constexpr oriented_width<T> widened_by_half_vector(const alpha_xy<T>& a, const vec2<T>& dh_dx, const vec2<T>& dh_dy) {
     const T x2 = a.x() * a.x(), y2 = a.y() * a.y();
-    assert(all(x2 <= T(1)) && all(y2 <= T(1)));
+    assert(all(x2 <= T(1)) && all(y2 <= T(1)) && "widened_by_half_vector: alpha must be at most 1");
     const T bx = (T(1) - a.x()) * (T(1) + a.x()), by = (T(1) - a.y()) * (T(1) + a.y()), s = inv_pi<T>();
     const T xx = s * (dh_dx.x * dh_dx.x + dh_dy.x * dh_dy.x) * bx, yy = s * (dh_dx.y * dh_dx.y + dh_dy.y * dh_dy.y) * by;
     const T xy = s * (dh_dx.x * dh_dx.y + dh_dy.x * dh_dy.y) * bx * by;

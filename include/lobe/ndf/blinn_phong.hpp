@@ -43,15 +43,19 @@ constexpr T exponent_from_gloss(const T& s, const T& largest) {
 /// STD), so its projected area is closed after all, and that is how it is written. The family is not shape-invariant: only `alpha`.
 /// Domain: 0 < alpha <= 1 (n >= 0). D in 1/sr. Projected area, Lambda, visible normals: scalar types only (0.2 microseconds an
 /// area); `masked_by{blinn_phong{a}, beckmann{a}}` is the usual cheap stand-in (Walter et al. 2007). Error of D:
-/// 6 (1 + |ln(D pi alpha^2)|) ULP; of the projected area: relative 1e-14.
+/// 10 (1 + |ln(D pi alpha^2)|) ULP; of the projected area and of Lambda: those of `student_t`.
 template <scalar T>
 class blinn_phong : public radial<student_t_shape<T>, alpha<T>> {
 public:
     constexpr explicit blinn_phong(const alpha<T>& width)
-        : radial<student_t_shape<T>, alpha<T>>(student_t_shape<T>::from_k(T(1) / (width.value() * width.value())), width) {
-        assert(all(width.value() <= T(1)));
-    }
+        : radial<student_t_shape<T>, alpha<T>>(student_t_shape<T>::from_k(inverse_square(width.value())), width) {}
     static constexpr blinn_phong from_exponent(const T& n) { return blinn_phong(alpha_from_exponent(n)); }
+
+private:
+    static constexpr T inverse_square(const T& a) {
+        assert(all(a <= T(1)) && "blinn_phong: alpha must be at most 1, an exponent at least 0");
+        return T(1) / (a * a);
+    }
 };
 template <scalar T>
 blinn_phong(alpha<T>) -> blinn_phong<T>;

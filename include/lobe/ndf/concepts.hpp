@@ -11,6 +11,8 @@ namespace lobe {
 ///   excluded (Heitz et al. 2015, Dupuy 2015): cos(theta_w) (1 + Lambda(w)) in Smith's terms; on the whole sphere;
 /// - `lambda(w)`: Smith's Lambda in a form that does not cancel; masking does not call it;
 /// - `width()`: the scale of its slopes along x and y, which quadrature wants to know.
+/// Directions are of its own type: GLM converts float and double vectors into each other without a word, which only a BRDF refuses.
+/// Parameters outside their domain end in an assert; where asserts are compiled out, results mean nothing: NaN, or some number.
 template <class N>
 concept distribution = scalar<typename N::scalar> && requires(const N ndf, const vec3<typename N::scalar> w) {
     { N::isotropic } -> std::convertible_to<bool>;
@@ -21,6 +23,16 @@ concept distribution = scalar<typename N::scalar> && requires(const N ndf, const
 };
 
 namespace detail {
+
+template <class Width, scalar T>
+struct width_in {
+    static_assert(std::same_as<typename Width::scalar, T>,
+                  "the parameters of a distribution are of its width's type: student_t{alpha{0.3f}, 2.0f}, not 2.0");
+    using type = Width;
+};
+/// The width of a distribution whose other parameters are T.
+template <class Width, scalar T>
+using width_in_t = typename width_in<Width, T>::type;
 
 /// The projected area from a direction above the horizon: by the distribution's shorter form, if it has one.
 template <distribution N, class T = typename N::scalar>

@@ -15,8 +15,8 @@ class gtr_shape {
 public:
     constexpr gtr_shape(const T& width, const T& exponent) : a(width), a2(width * width), gamma(exponent), L(), norm() {
         using std::log;
-        assert(all(a > T(0)) && all(a <= T(1)));
-        assert(all(gamma > T(0)));
+        assert(all(a > T(0)) && all(a <= T(1)) && "gtr: alpha must be in (0,1]");
+        assert(all(gamma > T(0)) && "gtr: gamma must be above 0");
         L = T(2) * log(a);
         norm = detail::expm1_ratio(L) / detail::expm1_ratio((gamma - T(1)) * L) * inv_pi<T>();
     }
@@ -56,7 +56,7 @@ private:
 /// Disney", appendix B. gamma = 2 is GGX; gamma = 1, the clear coat, is Berry 1923. Not shape-invariant but for gamma = 2: only `alpha`.
 /// Domain: 0 < alpha <= 1, gamma > 0 with (gamma - 1) ln(1/alpha^2) < 87 in float. D in 1/sr. Projected area, Lambda, visible
 /// normals: scalar types only, from a table that the constructor builds (0.5 ms: once, not per pixel).
-/// Error of D: 8 (1 + |ln(D pi alpha^2)|) ULP for gamma <= 3; of the projected area: 3e-6 of that along the horizon.
+/// Error of D: 12 (1 + |ln(D pi alpha^2)|) ULP for gamma <= 5; of the projected area: 3e-6 of that along the horizon.
 template <scalar T>
 class gtr : public radial<tabulated<gtr_shape<T>, T>, alpha<T>> {
     using shape = tabulated<gtr_shape<T>, T>;

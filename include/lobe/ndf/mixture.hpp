@@ -21,11 +21,14 @@ public:
     static constexpr bool isotropic = First::isotropic && Second::isotropic;
 
     constexpr mixture(const First& one, const Second& other, const T& weight_of_second) : first(one), second(other), w(weight_of_second) {
-        assert(all(w >= T(0)) && all(w <= T(1)));
+        assert(all(w >= T(0)) && all(w <= T(1)) && "mixture: the weight of the second must be in [0,1]");
     }
 
-    constexpr T D(const vec3<T>& m) const { return mix(first.D(m), second.D(m)); }
-    constexpr T projected_area(const vec3<T>& v) const { return mix(first.projected_area(v), second.projected_area(v)); }
+    // (Inlined by force: two distributions are large, and a loop with a call does not vectorise.)
+    [[gnu::always_inline]] constexpr T D(const vec3<T>& m) const { return mix(first.D(m), second.D(m)); }
+    [[gnu::always_inline]] constexpr T projected_area(const vec3<T>& v) const {
+        return mix(first.projected_area(v), second.projected_area(v));
+    }
     constexpr T lambda(const vec3<T>& v) const { return mix(first.lambda(v), second.lambda(v)); }
 
     /// The narrower along each axis.
@@ -34,7 +37,7 @@ public:
         return {min(a.x, b.x), min(a.y, b.y)};
     }
 
-    constexpr vec3<T> sample(const vec2<T>& u) const
+    [[gnu::always_inline]] constexpr vec3<T> sample(const vec2<T>& u) const
         requires samplable_distribution<First> && samplable_distribution<Second>
     {
         const chosen c(T(1) - w, u.x);
@@ -42,7 +45,7 @@ public:
     }
     constexpr T pdf(const vec3<T>& m) const { return D(m) * m.z; }
 
-    constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const
+    [[gnu::always_inline]] constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const
         requires visibly_samplable_distribution<First> && visibly_samplable_distribution<Second>
     {
         const T a = (T(1) - w) * first.projected_area(v), b = w * second.projected_area(v);

@@ -21,7 +21,8 @@ struct symmetric_matrix {
 /// the ellipsoid or any that give the same S, so that nothing is squared: sigma = |A^T w|, m^T S^-1 m = |A^-1 m|^2.
 /// A volume, not a surface: flakes have two sides, D is symmetric and lives on the whole sphere, int D(m) |w.m| dm = 2 sigma(w), and there
 /// is no Lambda; so it is no `distribution` for `microfacet`. Above the horizon its D is that of GGX.
-/// Domain: S positive definite; any direction; D in 1/sr. Error of D: 16 ULP for orthogonal axes; of sigma: 6 ULP.
+/// Domain: S positive definite (axes may be left-handed, as frames of mirrored UVs are); any direction; D in 1/sr. Error of D: 16 ULP
+/// for orthogonal axes; of sigma: 6 ULP.
 template <scalar T>
 class sggx {
 public:
@@ -40,11 +41,11 @@ public:
     /// From S itself, by Cholesky: textures of S are filtered as matrices. Precondition: positive definite.
     static constexpr sggx from_matrix(const symmetric_matrix<T>& S) {
         using std::sqrt;
-        assert(all(S.xx > T(0)));
+        assert(all(S.xx > T(0)) && "sggx: S must be positive definite");
         const T a = sqrt(S.xx), b = S.xy / a, c = S.xz / a;
-        assert(all(S.yy - b * b > T(0)));
+        assert(all(S.yy - b * b > T(0)) && "sggx: S must be positive definite");
         const T d = sqrt(S.yy - b * b), e = (S.yz - b * c) / d;
-        assert(all(S.zz - c * c - e * e > T(0)));
+        assert(all(S.zz - c * c - e * e > T(0)) && "sggx: S must be positive definite");
         return sggx({a, b, c}, {T(0), d, e}, {T(0), T(0), sqrt(S.zz - c * c - e * e)});
     }
     constexpr symmetric_matrix<T> matrix() const {
@@ -54,9 +55,10 @@ public:
 
     /// 1/sr, any positive or negative multiple of m.
     constexpr T D(const vec3<T>& m) const {
+        using std::abs;
         const vec3<T> yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
         const vec3<T> cofactor{dot(yz, m), dot(zx, m), dot(xy, m)};  // |A| A^-1 m
-        const T det = dot(x, yz), k = det * dot(m, m) / dot(cofactor, cofactor);
+        const T det = abs(dot(x, yz)), k = det * dot(m, m) / dot(cofactor, cofactor);
         return det * k * k * inv_pi<T>();
     }
 
@@ -73,7 +75,8 @@ public:
 
 private:
     constexpr sggx(const vec3<T>& column_x, const vec3<T>& column_y, const vec3<T>& column_z) : x(column_x), y(column_y), z(column_z) {
-        assert(all(dot(x, cross(y, z)) > T(0)));
+        using std::abs;
+        assert(all(abs(dot(x, cross(y, z))) > T(0)) && "sggx: the axes must span space and the areas be above 0");
     }
     constexpr vec3<T> seen(const vec3<T>& w) const { return {dot(x, w), dot(y, w), dot(z, w)}; }
 

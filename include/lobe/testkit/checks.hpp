@@ -63,18 +63,21 @@ public:
     template <class Noise>
     void report_to(report& r, const Noise& noise) {
         if (!count) return;
-        // The largest deviations, and as many spread over the rest: the largest may all be rounding.
+        // The largest deviations, and as many spread over all: the largest may all be rounding.
         keep_largest();
-        std::vector<suspect> looked_at = largest;
+        std::vector<suspect> looked_at;
         const std::size_t step = std::max<std::size_t>(1, spread.kept.size() / 128);
         for (std::size_t i = 0; i < spread.kept.size(); i += step) looked_at.push_back(spread.kept[i]);
-
-        // At one place a function may round alike whatever is done to it: the noise is at least the median of all places.
         std::vector<double> noises, sorted;
-        for (const suspect& s : looked_at) noises.push_back(noise(s.at, s.channel) / std::max(std::abs(s.measured), std::abs(s.expected)));
+        const auto relative_noise = [&](const suspect& s) {
+            return noise(s.at, s.channel) / std::max(std::abs(s.measured), std::abs(s.expected));
+        };
+        for (const suspect& s : looked_at) noises.push_back(relative_noise(s));
+        // At one place a function may round alike whatever is done to it: the noise is at least what three of four places have.
         sorted = noises;
         std::sort(sorted.begin(), sorted.end());
-        const double typical = sorted.empty() ? 0 : sorted[sorted.size() / 2];
+        const double typical = sorted.empty() ? 0 : sorted[sorted.size() / 4];
+        for (const suspect& s : largest) looked_at.push_back(s), noises.push_back(relative_noise(s));
 
         double worst = 0, allowed = 0;
         suspect at = close_at;
@@ -131,7 +134,8 @@ private:
 /// One number a view that ought to be equal to, or at most, another.
 class per_view {
 public:
-    per_view(std::string of, std::string meaning) : property(std::move(of)), otherwise(std::move(meaning)) {}
+    per_view(std::string of, std::string meaning, std::string meaning_if_too_small = "")
+        : property(std::move(of)), otherwise(std::move(meaning)), too_small(std::move(meaning_if_too_small)) {}
 
     void add(double measured, double expected, double allowed, const vec3<double>& v, const std::string& at, bool at_most = false) {
         upper_bound = at_most;
@@ -146,7 +150,7 @@ public:
         check c{result, worst <= 1};
         if (!c.passed)
             c.meaning = lacks_one_over_pi() ? "the same albedo from everywhere, plausible once divided by pi: a missing 1/pi"
-                                            : explain(wrong, otherwise);
+                                            : explain(wrong, c.measured < c.expected && !too_small.empty() ? too_small : otherwise);
         r.add(c);
     }
 
@@ -159,7 +163,7 @@ private:
         return high->ratio < 1.01 * low->ratio && high->ratio < 1.01 * std::numbers::pi;
     }
 
-    std::string property, otherwise;
+    std::string property, otherwise, too_small;
     finding result;
     bool upper_bound = false;
     double worst = -1e300;

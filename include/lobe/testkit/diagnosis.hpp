@@ -70,7 +70,7 @@ inline std::string explain(std::vector<ratio_at> ratios, const std::string& othe
     const double low = ratios[ratios.size() / 10].ratio, middle = ratios[ratios.size() / 2].ratio,
                  high = ratios[ratios.size() * 9 / 10].ratio;
     if (high - low < 0.01 * std::abs(middle) && std::abs(middle - 1) > 1e-4)
-        return "the same factor " + number(middle) + " everywhere: a constant is wrong";
+        return "the same factor " + number(middle) + " wherever it fails: a constant is wrong";
     return otherwise;
 }
 

@@ -120,7 +120,7 @@ public:
 
 private:
     double D(const V& m) {
-        last = {m, {}, {}, false};
+        last = {m, {}, {}, false, false, "m"};
         ++of_D.calls;
         const double d = of_D.see(n.D(m), last, m.z < T(0));
         largest = std::max(largest, d);
@@ -172,7 +172,7 @@ private:
         for (int i = 0; i < budget_.pairs; ++i) {
             const double tilt = random.log_between(1e-4, 1.5), a = tau * random(), b = tau * random();
             const V m = direction<T>(std::cos(tilt), a), other = direction<T>(std::cos(tilt), b);
-            turned.add(D(other), D(m), {m, other});
+            turned.add(D(other), D(m), {m, other, {}, true, false, "m"});
         }
         turned.report_to(r, [&](const place<T>& at, std::size_t) {
             return rounding_noise([&](const V& one, const V&) { return D(one); }, at) +
@@ -231,7 +231,7 @@ private:
             generator random(options_.seed);
             for (int i = 0; i < budget_.pairs; ++i) {
                 const V m = direction<T>(std::cos(random.log_between(1e-4, 1.5)), tau * random());
-                product.add(n.pdf(m), D(m) * static_cast<double>(m.z), {m, {}, {}, false});
+                product.add(n.pdf(m), D(m) * static_cast<double>(m.z), {m, {}, {}, false, false, "m"});
             }
             product.report_to(
                 r, [&](const place<T>& at, std::size_t) { return 2 * rounding_noise([&](const V& m, const V&) { return D(m); }, at); });

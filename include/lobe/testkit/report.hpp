@@ -28,7 +28,7 @@ namespace detail {
 
 inline std::string number(double x, const char* format = "%.6g") {
     char text[40];
-    std::snprintf(text, sizeof text, format, x);
+    std::snprintf(text, sizeof text, format, std::isnan(x) ? std::abs(x) : x);  // not "-nan"
     return text;
 }
 
@@ -92,9 +92,9 @@ public:
         std::size_t widest = 8;
         for (const check& c : r.checks_) widest = std::max(widest, c.property.size());
         out << (r.name_.empty() ? "" : r.name_ + ": ") << (r.passed() ? "passed" : "FAILED") << '\n'
-            << "  " << padded("property", widest) << "          measured      expected     tolerance\n";
+            << "  " << padded("property", widest) << "            measured      expected     tolerance\n";
         for (const check& c : r.checks_) {
-            out << "  " << padded(c.property, widest) << (c.passed ? "  ok    " : "  FAILED");
+            out << "  " << padded(c.property, widest) << (c.passed ? "  ok      " : "  FAILED  ");
             for (const double x : {c.measured, c.expected, c.tolerance}) {
                 const std::string text = detail::number(x);
                 out << std::string(text.size() < 12 ? 12 - text.size() : 0, ' ') << text << "  ";

@@ -131,7 +131,8 @@ struct place {
     vec3<T> v{}, l{};
     vec2<T> u{};
     bool has_l = true, has_u = false;
-    std::string text() const { return literal("v", v) + (has_l ? literal("l", l) : "") + (has_u ? literal("u", u) : ""); }
+    const char* first = "v";  // what v is: a normal, in places of a distribution
+    std::string text() const { return literal(first, v) + (has_l ? literal("l", l) : "") + (has_u ? literal("u", u) : ""); }
 };
 
 /// Uniform in [0,1), the same on every platform.

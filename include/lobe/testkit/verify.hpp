@@ -145,13 +145,15 @@ private:
     // ---- integrals over all directions, for a fixed one
 
     void views() {
-        per_view furnace(options_.lossless ? "white furnace is 1" : "white furnace is at most 1",
-                         options_.lossless
-                             ? "energy is lost or gained: single scattering only, or a compensation with the wrong average"
-                             : "energy is created: a missing 1/pi or 1/4, a D that is not normalised, a masking above 1, or a "
-                               "diffuse part that does not give up what the specular part reflects");
-        per_view furnace_of_light(options_.lossless ? "white furnace of a light is 1" : "white furnace of a light is at most 1",
-                                  "light from one direction is returned more than once: the compensation looks at the viewer only");
+        per_view furnace(
+            options_.lossless ? "white furnace is 1" : "white furnace is at most 1",
+            "energy is created: a missing 1/pi or 1/4, a D that is not normalised, a masking above 1, a diffuse part that does not "
+            "give up what the specular part reflects, or a compensation with the wrong average",
+            "energy is lost: single scattering only, a factor too many, or a compensation with the wrong average");
+        per_view furnace_of_light(
+            options_.lossless ? "white furnace of a light is 1" : "white furnace of a light is at most 1",
+            "light from one direction is returned more than once: the compensation looks at the viewer only",
+            "light from one direction is lost: single scattering only, or a compensation that looks at the viewer only");
         per_view pdf_at_most("integral of the pdf is at most 1", "it is no density: a factor or a Jacobian is wrong");
         per_view covered("pdf > 0 where f_cos > 0", "the sampler never goes where the BRDF reflects: that light is lost");
         per_view weighted_means(

@@ -1,0 +1,149 @@
+// What is promised: each function, once, for float and double as compiled here and for fifty digits; its inputs; its bound.
+#pragma once
+
+#include <lobe/brdf/microfacet.hpp>
+#include <lobe/core/frame.hpp>
+#include <lobe/fresnel/conductor.hpp>
+#include <lobe/fresnel/dielectric.hpp>
+#include <lobe/fresnel/f82_tint.hpp>
+#include <lobe/fresnel/schlick.hpp>
+#include <lobe/ndf/beckmann.hpp>
+#include <lobe/ndf/ggx.hpp>
+#include <lobe/sampling/warp.hpp>
+
+#include <string>
+#include <vector>
+
+namespace accuracy {
+
+using lobe::alpha;
+using lobe::alpha_xy;
+using lobe::vec2;
+using lobe::vec3;
+
+/// What a row's numbers are.
+enum class inputs {
+    turn,        // u
+    cosine,      // u
+    normal,      // ax = ay, m
+    normal_xy,   // ax, ay, m
+    view,        // ax = ay, w above the horizon
+    view_xy,     // ax, ay, w above the horizon
+    view_below,  // ax, ay, w below the horizon
+    pair,        // ax = ay, v, l
+    pair_xy,     // ax, ay, v, l
+    direction,   // w
+};
+
+enum class unit { ulp, ulp_of_1 };
+
+template <class U>
+struct row {
+    const char* name;
+    inputs takes;
+    double bound;
+    unit in;
+    U (*value)(const U* x);
+};
+
+template <class U>
+vec3<U> at(const U* x) {
+    return {x[0], x[1], x[2]};
+}
+
+/// A constant that every type has exactly.
+template <class U>
+U number(double x) {
+    return U(x);
+}
+
+template <class U>
+std::vector<row<U>> rows() {
+    using lobe::beckmann;
+    using lobe::ggx;
+    using lobe::smith_correlated;
+    using lobe::smith_separable;
+    constexpr auto ulp = unit::ulp, of_1 = unit::ulp_of_1;
+    return {
+        {"sin of sincos_2pi", inputs::turn, 2, ulp, [](const U* x) { return U(lobe::sincos_2pi(x[0]).sin); }},
+        {"cos of sincos_2pi", inputs::turn, 2, ulp, [](const U* x) { return U(lobe::sincos_2pi(x[0]).cos); }},
+        {"schlick, F0 = 1/32", inputs::cosine, 8, ulp, [](const U* x) { return U(lobe::schlick{number<U>(0.03125)}(x[0])); }},
+        {"schlick, F0 = 3/4", inputs::cosine, 8, ulp, [](const U* x) { return U(lobe::schlick{number<U>(0.75)}(x[0])); }},
+        {"dielectric, eta = 3/2", inputs::cosine, 8, ulp, [](const U* x) { return U(lobe::dielectric{number<U>(1.5)}(x[0])); }},
+        {"dielectric, eta = 5/2", inputs::cosine, 8, ulp, [](const U* x) { return U(lobe::dielectric{number<U>(2.5)}(x[0])); }},
+        {"conductor, 1/4 + 3 i", inputs::cosine, 8, ulp,
+         [](const U* x) {
+             return U(lobe::conductor{number<U>(0.25), number<U>(3)}(x[0]));
+         }},
+        {"conductor, 3 + 3 i", inputs::cosine, 8, ulp,
+         [](const U* x) {
+             return U(lobe::conductor{number<U>(3), number<U>(3)}(x[0]));
+         }},
+        {"f82_tint, 3/4, 1/2", inputs::cosine, 4, of_1,
+         [](const U* x) {
+             return U(lobe::f82_tint{number<U>(0.75), number<U>(0.5)}(x[0]));
+         }},
+        {"ggx D", inputs::normal, 12, ulp, [](const U* x) { return U(ggx{alpha<U>(x[0])}.D(at(x + 2))); }},
+        {"ggx D, anisotropic", inputs::normal_xy, 12, ulp, [](const U* x) { return U(ggx{alpha_xy<U>(x[0], x[1])}.D(at(x + 2))); }},
+        {"ggx projected_area", inputs::view, 4, ulp, [](const U* x) { return U(ggx{alpha<U>(x[0])}.projected_area(at(x + 2))); }},
+        {"ggx projected_area, anisotropic", inputs::view_xy, 4, ulp,
+         [](const U* x) { return U(ggx{alpha_xy<U>(x[0], x[1])}.projected_area(at(x + 2))); }},
+        {"ggx projected_area, below the horizon", inputs::view_below, 5, ulp,
+         [](const U* x) { return U(ggx{alpha_xy<U>(x[0], x[1])}.projected_area(at(x + 2))); }},
+        {"ggx lambda", inputs::view, 8, ulp, [](const U* x) { return U(ggx{alpha<U>(x[0])}.lambda(at(x + 2))); }},
+        {"ggx lambda, anisotropic", inputs::view_xy, 8, ulp, [](const U* x) { return U(ggx{alpha_xy<U>(x[0], x[1])}.lambda(at(x + 2))); }},
+        {"smith_correlated visibility", inputs::pair, 8, ulp,
+         [](const U* x) { return U(smith_correlated{}.visibility(ggx{alpha<U>(x[0])}, at(x + 2), at(x + 5))); }},
+        {"smith_correlated visibility, anisotropic", inputs::pair_xy, 8, ulp,
+         [](const U* x) { return U(smith_correlated{}.visibility(ggx{alpha_xy<U>(x[0], x[1])}, at(x + 2), at(x + 5))); }},
+        {"smith_separable visibility", inputs::pair, 8, ulp,
+         [](const U* x) { return U(smith_separable{}.visibility(ggx{alpha<U>(x[0])}, at(x + 2), at(x + 5))); }},
+        {"microfacet f_cos, ggx, Schlick", inputs::pair, 32, ulp,
+         [](const U* x) {
+             const lobe::microfacet brdf{ggx{alpha<U>(x[0])}, smith_correlated{}, lobe::schlick{number<U>(0.03125)}};
+             return U(brdf.f_cos(at(x + 2), at(x + 5)));
+         }},
+        {"microfacet f_cos, anisotropic", inputs::pair_xy, 32, ulp,
+         [](const U* x) {
+             const lobe::microfacet brdf{ggx{alpha_xy<U>(x[0], x[1])}, smith_correlated{}, lobe::schlick{number<U>(0.03125)}};
+             return U(brdf.f_cos(at(x + 2), at(x + 5)));
+         }},
+        {"microfacet pdf", inputs::pair, 32, ulp,
+         [](const U* x) {
+             const lobe::microfacet brdf{ggx{alpha<U>(x[0])}, smith_correlated{}, lobe::schlick{number<U>(0.03125)}};
+             return U(brdf.pdf(at(x + 2), at(x + 5)));
+         }},
+        {"frame, t.x", inputs::direction, 4, of_1, [](const U* x) { return U(lobe::frame<U>(at(x)).t.x); }},
+        {"frame, t.y", inputs::direction, 4, of_1, [](const U* x) { return U(lobe::frame<U>(at(x)).t.y); }},
+        {"frame, b.y", inputs::direction, 4, of_1, [](const U* x) { return U(lobe::frame<U>(at(x)).b.y); }},
+    };
+}
+
+/// Functions of one number in [0,1], for sweeps over every float of it.
+template <class U>
+std::vector<row<U>> functions_of_one_number() {
+    std::vector<row<U>> all;
+    for (const auto& r : rows<U>())
+        if (r.takes == inputs::turn || r.takes == inputs::cosine) all.push_back(r);
+    const auto add = [&](const char* name, double bound, U (*value)(const U*)) {
+        all.push_back({name, inputs::cosine, bound, unit::ulp, value});
+    };
+    using lobe::ggx;
+    add("ggx D, alpha = 2^-10, m = (u, 0, 1)", 12, [](const U* x) { return U(ggx{alpha<U>(number<U>(0x1p-10))}.D({x[0], U(0), U(1)})); });
+    add("ggx D, alpha = 2^-10, m = (1, 0, u)", 12, [](const U* x) { return U(ggx{alpha<U>(number<U>(0x1p-10))}.D({U(1), U(0), x[0]})); });
+    add("ggx D, alpha = 5/8, m = (u, 0, 1)", 12, [](const U* x) { return U(ggx{alpha<U>(number<U>(0.625))}.D({x[0], U(0), U(1)})); });
+    add("ggx D, alpha = 5/8, m = (1, 0, u)", 12, [](const U* x) { return U(ggx{alpha<U>(number<U>(0.625))}.D({U(1), U(0), x[0]})); });
+    // The projected area is homogeneous: of a direction, times the length.
+    add("ggx projected_area, alpha = 2^-10, w = (1, 0, u)", 4, [](const U* x) {
+        return U(ggx{alpha<U>(number<U>(0x1p-10))}.projected_area({U(1), U(0), x[0]}));
+    });
+    add("ggx projected_area, alpha = 5/8, w = (1, 0, u)", 4, [](const U* x) {
+        return U(ggx{alpha<U>(number<U>(0.625))}.projected_area({U(1), U(0), x[0]}));
+    });
+    add("ggx projected_area, alpha = 5/8, w = (1, 0, -u)", 5, [](const U* x) {
+        return U(ggx{alpha<U>(number<U>(0.625))}.projected_area({U(1), U(0), -x[0]}));
+    });
+    return all;
+}
+
+}  // namespace accuracy

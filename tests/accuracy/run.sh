@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# The whole of it, about half an hour: every row on many points, every float of [0,1]; writes docs/accuracy.md. tests/accuracy/run.sh [points] [every n-th float]
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+source "$root/tests/setup.sh"
+need cmake ninja-build g++ libglm-dev catch2 libboost-dev libxsimd-dev
+points=${1:-20000} stride=${2:-1}
+
+cd "$root"
+cmake --preset gcc --log-level=NOTICE
+programs=()
+for flags in default vectorize fast_math; do programs+=("accuracy_$flags" "sweep_$flags"); done
+cmake --build --preset gcc --target "${programs[@]}"
+bin=build/gcc/tests/accuracy
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+failed=0
+for flags in default vectorize fast_math; do
+    tight=()
+    [[ $flags == default ]] && tight=(--tight)
+    "$bin/accuracy_$flags" "$points" "${tight[@]}" >"$out/$flags" || failed=1
+    # vectorize changes no result (the rows above say so): its sweep would be the default's again
+    [[ $flags == vectorize ]] || "$bin/sweep_$flags" "$stride" >"$out/sweep_$flags" || failed=1
+done
+if ((failed)); then
+    echo "A promise is broken; docs/accuracy.md is left as it was." >&2
+    exit 1
+fi
+
+{
+    cat tests/accuracy/preface.md
+    echo
+    echo "| function | type | region | worst | mean | \`lobe::vectorize\` | \`-ffast-math\` | promised | worst input |"
+    echo "|:--|:--|:--|--:|--:|--:|--:|--:|:--|"
+    paste -d'|' "$out/default" "$out/vectorize" "$out/fast_math" | awk -F' *[|] *' '{
+        # every line holds eight fields, three times
+        input = $8; gsub(/( 0)+ *$/, "", input)
+        printf "| %s | %s | %s | %s | %s | %s | %s | %s | `%s` |\n", $1, $2, $3, $5, $6, $13, $21, $7, input }'
+    echo
+    echo "## Every float"
+    echo
+    echo "u runs over every $( ((stride == 1)) || echo "$stride-th ")float of [0,1]; the radical inverse over every $( ((stride == 1)) || echo "$stride-th ")index of 32 bits."
+    echo
+    echo "| function of u | values | worst | mean | \`-ffast-math\` | promised | worst u |"
+    echo "|:--|--:|--:|--:|--:|--:|:--|"
+    paste -d'|' "$out/sweep_default" "$out/sweep_fast_math" | awk -F' *[|] *' '{ printf "| %s | %s | %s | %s | %s | %s | %s |\n", $1, $2, $3, $4, $9, $5, $6 }'
+} >"$out/accuracy.md"
+mv "$out/accuracy.md" docs/accuracy.md

@@ -1,0 +1,45 @@
+// Compiled without any of the flags.
+#include "evaluate.hpp"
+#include "rows.hpp"
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace accuracy {
+
+namespace {
+
+using digits50 = boost::multiprecision::cpp_bin_float_50;
+
+template <class T>
+double error(int row, const double* x, double value) {
+    static const auto all = rows<digits50>();
+    const auto& r = all[static_cast<std::size_t>(row)];
+    digits50 in[8];
+    for (int i = 0; i < 8; ++i) in[i] = x[i];
+    const digits50 truth = r.value(in);
+    int exponent = 0;  // of [1/2, 1)
+    if (r.in == unit::ulp) std::frexp(static_cast<double>(truth), &exponent);
+    constexpr int digits = std::numeric_limits<T>::digits, lowest = std::numeric_limits<T>::min_exponent;
+    const digits50 off = value - truth;
+    return static_cast<double>(abs(off)) / std::ldexp(1.0, std::max(exponent, lowest) - digits);
+}
+
+}  // namespace
+
+double error_of_float(int row, const double* x, double value) { return error<float>(row, x, value); }
+double error_of_double(int row, const double* x, double value) { return error<double>(row, x, value); }
+
+void sweep_errors(int function, const float* u, const float* values, double* errors, std::size_t n) {
+    const auto r = functions_of_one_number<double>()[static_cast<std::size_t>(function)];
+    for (std::size_t i = 0; i < n; ++i) {
+        const double x = static_cast<double>(u[i]), truth = r.value(&x);
+        int exponent = 0;
+        if (r.in == unit::ulp) std::frexp(truth, &exponent);
+        errors[i] = std::abs(static_cast<double>(values[i]) - truth) / std::ldexp(1.0, std::max(exponent, -125) - 24);
+    }
+}
+
+}  // namespace accuracy
