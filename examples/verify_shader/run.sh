@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# Verifies the functions of GLSL files: run.sh [--all] [file.glsl...]; without files, the three shaders of this folder. Prints what failed,
+# with --all every property. README.md says what a file has to hold.
+# Exit status: 0 all passed, 1 something failed, 2 a file is missing, cannot be read or does not compile.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+source "$here/../../tests/setup.sh"
+need g++ libglm-dev
+export LC_ALL=C
+
+all=()
+[[ ${1-} == --all ]] && all=(--all) && shift
+files=("$@")
+(($#)) || files=("$here"/{right,tutorial_mistakes,errata}.glsl)
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+compile() { "${CXX:-c++}" -std=c++20 -O2 -w -DGLM_FORCE_SWIZZLE -I"$here" -I"$here/../../include" "$@"; }
+
+refuse() {
+    echo "$1" >&2
+    exit 2
+}
+
+# What is wrong, in a line: the first error in the shader, else the first of all.
+complaint() { # file
+    { grep -F -- "$1:" "$work/errors" | grep -m 1 'error:' || grep -m 1 -E 'error:|undefined' "$work/errors"; } |
+        sed -E 's/:([0-9]+):[0-9]+: /:\1: /; s/(fatal )?error: /does not compile: /; s/^.*: undefined/undefined/; s/shader:://g'
+}
+
+verify() ( # file
+    file=$1 status=0
+    [[ -f $file && -r $file ]] || refuse "$file: there is no such file, or it cannot be read"
+    "$here/glsl_to_cpp.sh" "$file" >"$work/shader.cpp" || exit 2
+    compile -c "$work/shader.cpp" -o "$work/shader.o" 2>"$work/errors" || refuse "$(complaint "$file")"
+    # The half that is the same for every shader: the test kit.
+    [[ -f $work/main.o ]] || compile -c "$here/main.cpp" -o "$work/main.o"
+    compile "$work/main.o" "$work/shader.o" -o "$work/verify" 2>"$work/errors" || refuse "$file: does not link: $(complaint "$file")"
+
+    "$work/verify" "${all[@]}" | sed -E 's/glm::(vec[23]) (\w+)\{([^}]*)\}/\1 \2 = \1(\3)/g' || status=$? # inputs as GLSL writes them
+    ((status <= 1)) || refuse "$file: the program that was made of it ended with status $status"
+    exit "$status"
+)
+
+worst=0
+for file in "${files[@]}"; do
+    status=0
+    verify "$file" || status=$?
+    ((status <= worst)) || worst=$status
+done
+exit "$worst"
