@@ -33,7 +33,7 @@ TEST_CASE("the cubature is exact for polynomials of degree 7, and finds a peak i
         for (int q = 0; p + q <= 7; ++q) {
             const mesh<1> m([&](double x, double y) { return mesh<1>::values{std::pow(x, p) * std::pow(y, q)}; }, 2, 3, 1);
             mesh<1> summed = m;
-            summed.refine(1, false, 0);
+            summed.refine(1, 1, 0);
             CHECK(summed.integral()[0] * (p + 1) * (q + 1) == Catch::Approx(1).epsilon(1e-13));
         }
     const double width = 1e-3;
@@ -44,7 +44,7 @@ TEST_CASE("the cubature is exact for polynomials of degree 7, and finds a peak i
         },
         8, 16, 1);
     m.refine_at(0.3123, 0.6, 5);
-    m.refine(1e-4, false, 100000);
+    m.refine(1e-4, 1, 100000);
     CHECK(std::abs(m.integral()[0] - 1) < 1e-4);
     CHECK(std::abs(m.integral()[0] - 1) < m.error()[0]);
 
@@ -66,7 +66,7 @@ TEST_CASE("charts cover the hemisphere once", "[testkit]") {
                 return mesh<2>::values{p.area, p.area * p.l.z};
             },
             8, 16, 2);
-        m.refine(1e-6, false, 1000000);
+        m.refine(1e-6, 1, 1000000);
         CHECK(m.integral()[0] == Catch::Approx(2 * pi).epsilon(2e-6));
         CHECK(m.integral()[1] == Catch::Approx(pi).epsilon(2e-6));
         for (int i = 0; i < 1000; ++i) {

@@ -62,15 +62,15 @@ public:
         }
     }
 
-    /// Cuts the cells that carry half of the error, until the error of every driving integral is below `tolerance`, relative to itself or,
-    /// where they are the colours of one thing, to the largest; or until the evaluations are spent.
-    void refine(double tolerance, bool are_colours, long max_evaluations) {
+    /// Cuts the cells that carry half of the error, until the error of every driving integral is below `tolerance`, relative to itself (the
+    /// first `colours` of them, which are the colours of one thing, to the largest); or until the evaluations are spent.
+    void refine(double tolerance, std::size_t colours, long max_evaluations) {
         for (;;) {
             sum_up();
             values scale{};
-            double colours = 0;
-            for (std::size_t k = 0; k < driving; ++k) colours = std::max(colours, std::abs(total_[k]));
-            for (std::size_t k = 0; k < driving; ++k) scale[k] = std::max(are_colours ? colours : std::abs(total_[k]), 1e-9);
+            double brightest = 0;
+            for (std::size_t k = 0; k < colours; ++k) brightest = std::max(brightest, std::abs(total_[k]));
+            for (std::size_t k = 0; k < driving; ++k) scale[k] = std::max(k < colours ? brightest : std::abs(total_[k]), 1e-9);
             const auto open = [&](std::size_t k) { return error_[k] > tolerance * scale[k]; };
             bool done = evaluations_ >= max_evaluations;
             if (!done) {

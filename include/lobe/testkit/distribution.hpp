@@ -162,7 +162,7 @@ private:
                 return mesh<1>::values{D(V(p.l)) * p.l.z * p.area};
             },
             8, 16, 1);
-        over_m.refine(budget_.tolerance / 3, false, budget_.evaluations);
+        over_m.refine(budget_.tolerance / 3, 1, budget_.evaluations);
         unit_area.add(over_m.integral()[0], 1, options_.tolerance + over_m.error()[0], {0, 0, 1}, "");
         unit_area.report_to(r);
         if (!isotropic) return;
@@ -188,7 +188,7 @@ private:
                 return mesh<1>::values{std::max(0.0, dot(w, p.l)) * D(V(p.l)) * p.area};
             },
             8, 16, 1);
-        over_m.refine(budget_.tolerance / 3, false, budget_.evaluations);
+        over_m.refine(budget_.tolerance / 3, 1, budget_.evaluations);
         return {over_m.integral()[0], over_m.error()[0]};
     }
 
@@ -295,7 +295,7 @@ private:
         }
     }
 
-    static constexpr std::array<double, 6> edges{0, 1e-6, 0.25, 0.5, 1 - 0x1p-24, 1};
+    static constexpr std::array<double, 5> edges{0, 1e-6, 0.25, 0.5, 1 - 0x1p-24};
     static constexpr double unit_tolerance = 64 * static_cast<double>(std::numeric_limits<T>::epsilon());
 
     distribution_interface<T> n;

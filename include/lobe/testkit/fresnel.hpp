@@ -108,7 +108,7 @@ private:
                     return out;
                 },
                 32, 1, channels);
-            m.refine(1e-5, true, 100000);
+            m.refine(1e-5, channels, 100000);
             per_view same("average = 2 int F(u) u du", "average() belongs to another function, or lacks the weight of the cosine");
             for (std::size_t k = 0; k < channels; ++k)
                 if (m.integral()[k] > 0 || k == 0)

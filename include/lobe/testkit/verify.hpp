@@ -54,12 +54,12 @@ private:
                 }
         }
         if (b.has_sample()) {
-            const T last = T(1) - static_cast<T>(0x1p-24), below = T(1) - std::numeric_limits<T>::epsilon() / T(2);
-            w.resize(usual);
-            for (const V& v : w)
-                if (v.z > T(0))
-                    for (const T x : {T(0), tiny, static_cast<T>(1e-6), T(0.25), T(0.5), T(0.75), last, below})
-                        for (const T y : {T(0), tiny, static_cast<T>(1e-6), T(0.25), T(0.5), T(0.75), last, below}) b.sample(v, {x, y});
+            const T u[] = {T(0),   tiny,    static_cast<T>(1e-6),           T(0.25),
+                           T(0.5), T(0.75), T(1) - static_cast<T>(0x1p-24), T(1) - std::numeric_limits<T>::epsilon() / T(2)};
+            for (std::size_t i = 0; i < usual; ++i)
+                for (const T x : u)
+                    for (const T y : u)
+                        if (w[i].z > T(0)) b.sample(w[i], {x, y});
         }
     }
 
@@ -170,7 +170,7 @@ private:
             const half_vector_chart chart(w);
             const std::vector<std::array<double, 2>> hints = samples(v, chart, options_.seed * 1000 + i);
 
-            // f_cos, the part of it that the pdf does not reach, its moments.
+            // f_cos, its moments, and the part of it that the pdf does not reach.
             mesh<channels + 6> over_l(
                 [&](double x, double y) {
                     const auto p = chart(x, y);
@@ -180,12 +180,12 @@ private:
                     double sum = 0;
                     for (std::size_t k = 0; k < channels; ++k) sum += out[k] = f[k] * p.area;
                     if (b.has_pdf())
-                        if (sum > 0 && b.pdf(v, l) == 0) out[channels] = sum;
+                        if (sum > 0 && b.pdf(v, l) == 0) out[channels + 5] = sum;
                     const auto t = numbers_of(w, p.l);
-                    for (std::size_t k = 0; k < 5; ++k) out[channels + 1 + k] = sum * t[k];
+                    for (std::size_t k = 0; k < 5; ++k) out[channels + k] = sum * t[k];
                     return out;
                 },
-                8, 16, channels);
+                8, 16, channels + 3);
             integrate(over_l, chart, w, hints);
             const auto &E = over_l.integral(), &e = over_l.error();
             const double allowed =
@@ -197,13 +197,12 @@ private:
             if (b.has_pdf()) {
                 const double total = std::accumulate(E.begin(), E.begin() + channels, 0.0),
                              error = std::accumulate(e.begin(), e.begin() + channels, 0.0);
-                if (total > 0) covered.add(total - E[channels], total, options_.tolerance * total + error, w, at);
+                if (total > 0) covered.add(total - E[channels + 5], total, options_.tolerance * total + error, w, at);
             }
             if (b.has_sample()) {
-                const auto at_u = [&](const vec2<double>& u) { return b.sample(v, {below_one<T>(u.x), below_one<T>(u.y)}); };
-                const auto over_u = integral_over_u<channels + 5>(
-                    [&](const vec2<double>& u) {
-                        const auto s = at_u(u);
+                const auto over_u = integral_over_u<T, channels + 5>(
+                    [&](const vec2<T>& u) {
+                        const auto s = b.sample(v, u);
                         std::array<double, channels + 5> out{};
                         if (!s.ok) return out;
                         double sum = 0;
@@ -212,15 +211,14 @@ private:
                         for (std::size_t k = 0; k < 5; ++k) out[channels + k] = sum * t[k];
                         return out;
                     },
-                    [&](const vec2<double>& u) { return at_u(u).ok; }, budget_, channels, true);
-                const auto &W = over_u.integral(), &we = over_u.error();
+                    [&](const vec2<T>& u) { return b.sample(v, u).ok; }, budget_, channels + 3, channels);
+                const auto &W = over_u.value, &we = over_u.error;
                 for (std::size_t k = 0; k < channels; ++k)
-                    if (E[k] > 1e-6) mean_weight.add(W[k], E[k], allowed * E[k] + e[k] + we[k], w, at);
+                    if (!is_padding(k, E[k])) mean_weight.add(W[k], E[k], allowed * E[k] + e[k] + we[k] + least_that_counts, w, at);
                 for (std::size_t k = 0; k < 5; ++k) {
-                    const double size = E[channels + 1 + (k < 3 ? k : k - 3)];
-                    if (size > 1e-6)
-                        weighted_means.add(W[channels + k], E[channels + 1 + k], allowed * size + e[channels + 1 + k] + we[channels + k], w,
-                                           at);
+                    const double size = E[channels + (k < 3 ? k : k - 3)];
+                    if (*std::max_element(E.begin(), E.begin() + channels) > 10 * least_that_counts)
+                        weighted_means.add(W[channels + k], E[channels + k], allowed * size + e[channels + k] + we[channels + k], w, at);
                 }
             }
             if (b.has_sample() && b.has_pdf()) {
@@ -299,7 +297,7 @@ private:
             m.refine_at(peak[0], peak[1], 4);
         }
         m.refine_crowded(hints, 24, 12);
-        m.refine(budget_.tolerance, true, budget_.evaluations);
+        m.refine(budget_.tolerance, N < channels ? N : channels, budget_.evaluations);
     }
 
     /// int f(v,l) cos(theta_v) dv for a fixed light.
