@@ -71,6 +71,9 @@ TEMPLATE_TEST_CASE("the kit on GGX: every width, masking and sampler", "[testkit
         expect_pass("Heitz 2018" + at, microfacet{ggx{width(a)}, smith_correlated{}, gold, lobe::visible_heitz2018{}});
         expect_pass("bounded caps" + at, microfacet{ggx{width(a)}, smith_correlated{}, gold, lobe::visible_bounded_caps{}});
     }
+    for (const double a : {0.05, 0.6})
+        expect_pass("beckmann at " + std::to_string(a), microfacet{lobe::beckmann{width(a)}, smith_correlated{}, gold});
+    expect_pass("anisotropic beckmann", microfacet{lobe::beckmann{alpha_xy<T>{T(0.05), T(0.5)}}, smith_correlated{}, gold});
     const alpha_xy<T> brushed{T(0.05), T(0.5)};
     expect_pass("anisotropic", microfacet{ggx{brushed}, smith_correlated{}, gold});
     expect_pass("anisotropic, Heitz 2018", microfacet{ggx{brushed}, smith_correlated{}, gold, lobe::visible_heitz2018{}});
@@ -83,6 +86,21 @@ TEMPLATE_TEST_CASE("the kit on GGX: every width, masking and sampler", "[testkit
         expect_pass("V-cavities", microfacet{ggx{width(a)}, lobe::v_cavity{}, gold});
         expect_pass("Schlick-GGX", microfacet{ggx{width(a)}, lobe::schlick_ggx{lobe::k_from_alpha(width(a))}, gold});
     }
+}
+
+TEST_CASE("the kit on distributions whose visible normals are found numerically, and on all normals", "[testkit]") {
+    const alpha width{0.3};
+    const auto judged = [](const std::string& name, const auto& ndf) {
+        expect_pass(name + ", all normals", microfacet{ndf, smith_correlated{}, perfect_reflector{}, lobe::all_normals{}});
+    };
+    judged("student_t", lobe::student_t{width, 1.75});
+    judged("hyper_cauchy", lobe::hyper_cauchy{width, 3.0});
+    judged("exponential_power", lobe::exponential_power{width, 0.5});
+    judged("blinn_phong", lobe::blinn_phong{width});
+    judged("phong", lobe::phong{width});
+    judged("gtr", lobe::gtr{width, 1.0});
+    judged("abc", lobe::abc{width, 1.0});
+    expect_pass("gtr, visible normals", microfacet{lobe::gtr{width, 1.0}, smith_correlated{}, perfect_reflector{}});
 }
 
 TEMPLATE_TEST_CASE("the kit on every Fresnel reflectance", "[testkit]", float, double) {
@@ -134,6 +152,7 @@ TEST_CASE("the kit on compositions", "[testkit]") {
         options one_sided;
         one_sided.reciprocal = false;
         expect_pass("1 - E(v)", lobe::layered{gloss(a), lambert{0.8}, lobe::albedo_coupling{E}}, one_sided);
+        expect_pass("a coat", lobe::coated(lambert{0.8}, ggx{alpha{a}}, 1.0), one_sided);
         const double average = lobe::average_albedo(gloss(a));
         expect_pass("(1 - E(v))(1 - E(l))", lobe::layered{gloss(a), lambert{0.8}, lobe::reciprocal_coupling{E, average}});
     }

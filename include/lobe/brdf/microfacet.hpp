@@ -62,18 +62,19 @@ public:
                 select(above(v, l), D / sampler.area(ndf, v, h.v_m, h.m_z(), sv), T(0))};
     }
 
-    /// Domain: v above the horizon, u in [0,1)^2. Fails where the sampled facet reflects v below the horizon.
+    /// Domain: v above the horizon, u in [0,1)^2. Fails where the sampled facet reflects v below the horizon, or its density is below the
+    /// smallest number of T.
     [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const
         requires normal_sampler<Sampler, N>
     {
         const vec3<T> m = sampler.sample(ndf, v, u);
         const vec3<T> l = reflect(v, m);
         const T v_m = dot(v, m), sv = detail::area_above(ndf, v);
-        const T area = sampler.area(ndf, v, v_m, m.z, sv);
-        const auto valid = above(v, l);
+        const T area = sampler.area(ndf, v, v_m, m.z, sv), density = ndf.D(m) / (T(4) * area);
+        const auto valid = above(v, l) && density > T(0);  // a Gaussian tail may underflow
         return {select(valid, l, vec3<T>{T(0), T(0), T(1)}),
                 fresnel_(select(valid, min(v_m, T(1)), T(1))) * select(valid, l.z * area / shadow.denominator(ndf, v, l, sv), T(0)),
-                select(valid, ndf.D(m) / (T(4) * area), T(0))};
+                select(valid, density, T(0))};
     }
 
     /// F(n.v): what a composition shares its samples by.
