@@ -140,6 +140,10 @@ std::vector<region> regions_of(inputs takes) {
         case inputs::view_below: return {{"one width", widths_and<one_width, below>}, {"two widths", widths_and<two_widths, below>}};
         case inputs::pair: return pair_regions<one_width>();
         case inputs::pair_xy: return pair_regions<two_widths>();
+        case inputs::index: return {{"0.3 to 10", [](generator& random, double* x) { x[0] = random.log_between(0.3, 10); }}};
+        case inputs::roughness:
+            return {{"[0.01,1] x [0,0.999]",
+                     [](generator& random, double* x) { x[0] = random.between(0.01, 1), x[1] = random.between(0, 0.999); }}};
         case inputs::direction:
             return {{"any", [](generator& random, double* x) { raised(random, x, random.between(-1, 1)); }},
                     {"near -n", [](generator& random, double* x) { tilted(random, x, random.log_between(1e-8, 1e-1)), x[2] = -x[2]; }}};

@@ -1,14 +1,20 @@
 // What is promised: each function, once, for float and double as compiled here and for fifty digits; its inputs; its bound.
 #pragma once
 
+#include <lobe/brdf/burley.hpp>
 #include <lobe/brdf/microfacet.hpp>
+#include <lobe/brdf/schlick_ggx.hpp>
+#include <lobe/brdf/v_cavity.hpp>
 #include <lobe/core/frame.hpp>
 #include <lobe/fresnel/conductor.hpp>
 #include <lobe/fresnel/dielectric.hpp>
 #include <lobe/fresnel/f82_tint.hpp>
 #include <lobe/fresnel/schlick.hpp>
+#include <lobe/fresnel/schlick_gaussian.hpp>
+#include <lobe/fresnel/schlick_roughness.hpp>
 #include <lobe/ndf/beckmann.hpp>
 #include <lobe/ndf/ggx.hpp>
+#include <lobe/ndf/sggx.hpp>
 #include <lobe/sampling/warp.hpp>
 
 #include <string>
@@ -33,9 +39,12 @@ enum class inputs {
     pair,        // ax = ay, v, l
     pair_xy,     // ax, ay, v, l
     direction,   // w
+    index,       // an index of refraction
+    roughness,   // roughness, a degree of anisotropy
 };
 
-enum class unit { ulp, ulp_of_1 };
+/// In the last place of the value; of 1; or of the value, times 1 + |ln(D pi ax ay)|, as exponentials round.
+enum class unit { ulp, ulp_of_1, ulp_of_exponential };
 
 template <class U>
 struct row {
@@ -63,12 +72,12 @@ std::vector<row<U>> rows() {
     using lobe::ggx;
     using lobe::smith_correlated;
     using lobe::smith_separable;
-    constexpr auto ulp = unit::ulp, of_1 = unit::ulp_of_1;
+    constexpr auto ulp = unit::ulp, of_1 = unit::ulp_of_1, exponential = unit::ulp_of_exponential;
     return {
         {"sin of sincos_2pi", inputs::turn, 2, ulp, [](const U* x) { return U(lobe::sincos_2pi(x[0]).sin); }},
         {"cos of sincos_2pi", inputs::turn, 2, ulp, [](const U* x) { return U(lobe::sincos_2pi(x[0]).cos); }},
         {"schlick, F0 = 1/32", inputs::cosine, 8, ulp, [](const U* x) { return U(lobe::schlick{number<U>(0.03125)}(x[0])); }},
-        {"schlick, F0 = 3/4", inputs::cosine, 8, ulp, [](const U* x) { return U(lobe::schlick{number<U>(0.75)}(x[0])); }},
+        {"schlick, F0 = 3/4", inputs::cosine, 2, ulp, [](const U* x) { return U(lobe::schlick{number<U>(0.75)}(x[0])); }},
         {"dielectric, eta = 3/2", inputs::cosine, 8, ulp, [](const U* x) { return U(lobe::dielectric{number<U>(1.5)}(x[0])); }},
         {"dielectric, eta = 5/2", inputs::cosine, 8, ulp, [](const U* x) { return U(lobe::dielectric{number<U>(2.5)}(x[0])); }},
         {"conductor, 1/4 + 3 i", inputs::cosine, 8, ulp,
@@ -113,8 +122,44 @@ std::vector<row<U>> rows() {
              const lobe::microfacet brdf{ggx{alpha<U>(x[0])}, smith_correlated{}, lobe::schlick{number<U>(0.03125)}};
              return U(brdf.pdf(at(x + 2), at(x + 5)));
          }},
+        {"schlick_gaussian, F0 = 1/32", inputs::cosine, 8, ulp,
+         [](const U* x) { return U(lobe::schlick_gaussian{number<U>(0.03125)}(x[0])); }},
+        {"schlick_roughness, F0 = 1/32, r = 1/2", inputs::cosine, 8, ulp,
+         [](const U* x) {
+             return U(lobe::schlick_roughness{number<U>(0.03125), number<U>(0.5)}(x[0]));
+         }},
+        {"f0_from_ior", inputs::index, 7, ulp, [](const U* x) { return U(lobe::f0_from_ior(x[0])); }},
+        {"dielectric average", inputs::index, 12, ulp, [](const U* x) { return U(lobe::dielectric{x[0]}.average()); }},
+        {"alpha_xy::from_disney, x", inputs::roughness, 6, ulp, [](const U* x) { return U(alpha_xy<U>::from_disney(x[0], x[1]).x()); }},
+        {"alpha_xy::from_disney, y", inputs::roughness, 6, ulp, [](const U* x) { return U(alpha_xy<U>::from_disney(x[0], x[1]).y()); }},
+        {"alpha_xy::from_imageworks, x", inputs::roughness, 2, ulp,
+         [](const U* x) { return U(alpha_xy<U>::from_imageworks(x[0], x[1]).x()); }},
+        {"alpha_xy::from_openpbr, x", inputs::roughness, 4, ulp, [](const U* x) { return U(alpha_xy<U>::from_openpbr(x[0], x[1]).x()); }},
+        {"alpha_xy::from_openpbr, y", inputs::roughness, 4, ulp, [](const U* x) { return U(alpha_xy<U>::from_openpbr(x[0], x[1]).y()); }},
+        {"beckmann D", inputs::normal, 12, exponential, [](const U* x) { return U(beckmann{alpha<U>(x[0])}.D(at(x + 2))); }},
+        {"beckmann D, anisotropic", inputs::normal_xy, 12, exponential,
+         [](const U* x) { return U(beckmann{alpha_xy<U>(x[0], x[1])}.D(at(x + 2))); }},
+        {"beckmann projected_area", inputs::view, 4, ulp, [](const U* x) { return U(beckmann{alpha<U>(x[0])}.projected_area(at(x + 2))); }},
+        {"sggx D, axes along x, y, z", inputs::normal_xy, 16, ulp, [](const U* x) { return U(lobe::sggx{alpha_xy<U>(x[0], x[1])}.D(at(x + 2))); }},
+        {"sggx projected_area, axes along x, y, z", inputs::view_xy, 4, ulp,
+         [](const U* x) { return U(lobe::sggx{alpha_xy<U>(x[0], x[1])}.projected_area(at(x + 2))); }},
+        {"smith_direction_correlated visibility", inputs::pair, 6, ulp,
+         [](const U* x) { return U(lobe::smith_direction_correlated{}.visibility(ggx{alpha<U>(x[0])}, at(x + 2), at(x + 5))); }},
+        {"smith_hammon visibility", inputs::pair, 4, ulp,
+         [](const U* x) { return U(lobe::smith_hammon{}.visibility(ggx{alpha<U>(x[0])}, at(x + 2), at(x + 5))); }},
+        {"schlick_ggx visibility, k = alpha/2", inputs::pair, 6, ulp,
+         [](const U* x) {
+             const ggx ndf{alpha<U>(x[0])};
+             return U(lobe::schlick_ggx{lobe::k_from_alpha(alpha<U>(x[0]))}.visibility(ndf, at(x + 2), at(x + 5)));
+         }},
+        {"v_cavity visibility", inputs::pair, 6, ulp,
+         [](const U* x) { return U(lobe::v_cavity{}.visibility(ggx{alpha<U>(x[0])}, at(x + 2), at(x + 5))); }},
+        {"burley f, roughness 1/2", inputs::pair, 12, ulp,
+         [](const U* x) {
+             return U(lobe::burley{number<U>(0.5), number<U>(0.5)}.f(at(x + 2), at(x + 5)));
+         }},
         {"frame, t.x", inputs::direction, 4, of_1, [](const U* x) { return U(lobe::frame<U>(at(x)).t.x); }},
-        {"frame, t.y", inputs::direction, 4, of_1, [](const U* x) { return U(lobe::frame<U>(at(x)).t.y); }},
+        {"frame, t.y", inputs::direction, 2, of_1, [](const U* x) { return U(lobe::frame<U>(at(x)).t.y); }},
         {"frame, b.y", inputs::direction, 4, of_1, [](const U* x) { return U(lobe::frame<U>(at(x)).b.y); }},
     };
 }

@@ -21,10 +21,15 @@ double error(int row, const double* x, double value) {
     for (int i = 0; i < 8; ++i) in[i] = x[i];
     const digits50 truth = r.value(in);
     int exponent = 0;  // of [1/2, 1)
-    if (r.in == unit::ulp) std::frexp(static_cast<double>(truth), &exponent);
+    if (r.in != unit::ulp_of_1) std::frexp(static_cast<double>(truth), &exponent);
     constexpr int digits = std::numeric_limits<T>::digits, lowest = std::numeric_limits<T>::min_exponent;
     const digits50 off = value - truth;
-    return static_cast<double>(abs(off)) / std::ldexp(1.0, std::max(exponent, lowest) - digits);
+    double conditioning = 1;
+    if (r.in == unit::ulp_of_exponential) {
+        if (truth * in[0] * in[1] < std::numeric_limits<T>::min()) return 0;  // the tail underflows
+        conditioning += std::abs(static_cast<double>(log(truth * lobe::pi<digits50>() * in[0] * in[1])));
+    }
+    return static_cast<double>(abs(off)) / std::ldexp(1.0, std::max(exponent, lowest) - digits) / conditioning;
 }
 
 }  // namespace

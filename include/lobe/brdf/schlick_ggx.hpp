@@ -57,7 +57,7 @@ constexpr schlick_k<T> k_schlick1994(const T& rms_slope) {
 }
 
 /// G1(w) = cos/(cos (1 - k) + k), G2 = G1(v) G1(l): den = (cos_v (1 - k) + k) (cos_l (1 - k) + k). Schlick 1994.
-/// For any distribution: k alone knows the width. v, l unit, above the horizon. Error: see each k; rounding 5 ULP.
+/// For any distribution: k alone knows the width. v, l unit, above the horizon. Error: see each k; rounding 6 ULP.
 template <scalar T>
 class schlick_ggx : public masking_functions<schlick_ggx<T>> {
 public:

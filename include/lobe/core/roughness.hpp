@@ -65,7 +65,7 @@ public:
     }
 
     /// x = r^2/aspect, y = r^2 aspect, aspect = sqrt(1 - 0.9 a), a in [0,1]: x y = r^4, x/y at most 10.
-    /// Burley 2012, "Physically-Based Shading at Disney", section 5.4. Error: 5 ULP.
+    /// Burley 2012, "Physically-Based Shading at Disney", section 5.4. Error: 6 ULP.
     static constexpr alpha_xy from_disney(const T& r, const T& a) { return alpha_xy(disney(r, a)); }
     static constexpr alpha_xy from_disney(const T& r, const T& a, const T& floor) { return at_least(disney(r, a), floor); }
 

@@ -82,7 +82,7 @@ struct beckmann_shape {
 /// Beckmann: D = exp(-tan^2/alpha^2) / (pi alpha^2 cos^4), isotropic from `alpha`, anisotropic from `alpha_xy`. alpha = sqrt(2) times
 /// the rms slope. Beckmann & Spizzichino 1963; Cook & Torrance 1982; Walter et al. 2007, eq. 25; Lambda: Heitz 2014, eq. 68.
 /// Domain: alpha > 0, any direction. D in 1/sr; where it underflows it is zero.
-/// Error of D: 10 (1 + |ln(D pi ax ay)|) ULP; of the projected area: 4 ULP; of Lambda in double:
+/// Error of D: 12 (1 + |ln(D pi ax ay)|) ULP; of the projected area: 4 ULP; of Lambda in double:
 /// relative 4e-14 for cot/alpha <= 8, zero where it underflows.
 template <scalar T, class Width = alpha<T>>
 class beckmann : public radial<beckmann_shape<T>, Width> {
