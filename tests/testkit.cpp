@@ -4,6 +4,7 @@
 #include <lobe/testkit.hpp>
 
 #include <filesystem>
+#include <memory>
 
 using namespace lobe::testkit;
 using lobe::vec2;
@@ -203,6 +204,9 @@ TEST_CASE("adapters: functions apart, without the cosine, in world space", "[tes
     CHECK_NOTHROW(the_check(verify(functions(with_cosine(f), sample)), "mean weight = furnace"));
     CHECK_NOTHROW(the_check(verify(functions(with_cosine(f), no_sample{}, pdf)), "integral of the pdf is at most 1"));
 
+    const auto coloured = [](glm::vec3, glm::vec3) { return glm::vec3(0.2f, 0.1f, 0.05f); };
+    CHECK(verify(with_cosine(coloured)).passed());
+
     // Any order of parameters; the wrong one is found.
     const auto lambert = [](glm::vec3 n, glm::vec3 l, glm::vec3 v) {
         return lobe::dot(n, v) > 0 ? std::max(lobe::dot(n, l), 0.f) * 0.8f / 3.14159265f : 0.f;
@@ -231,6 +235,13 @@ TEST_CASE("claims: isotropy, zero below, and what is not reciprocal", "[testkit]
     CHECK(!verify(one_sided, o).passed());
     o.reciprocal = false;
     CHECK(verify(one_sided, o).passed());
+}
+
+TEST_CASE("a function with a random generator inside is found", "[testkit]") {
+    const auto noisy = [random = std::make_shared<random_numbers>(5)](const glm::dvec3& v, const glm::dvec3& l) {
+        return v.z > 0 && l.z > 0 ? l.z / pi * (0.5 + 1e-4 * (*random)()) : 0.0;
+    };
+    CHECK(!the_check(verify(noisy), "the same input, the same value").passed);
 }
 
 TEST_CASE("the kit includes no model", "[testkit]") {

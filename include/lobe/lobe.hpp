@@ -19,6 +19,7 @@
 #include <lobe/ndf/concepts.hpp>
 #include <lobe/ndf/exponential_power.hpp>
 #include <lobe/ndf/ggx.hpp>
+#include <lobe/ndf/ggx_half.hpp>
 #include <lobe/ndf/gtr.hpp>
 #include <lobe/ndf/masked_by.hpp>
 #include <lobe/ndf/mixture.hpp>

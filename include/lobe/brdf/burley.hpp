@@ -31,8 +31,8 @@ class burley : public cosine_sampled<burley<S>, S> {
 
 public:
     constexpr burley(const S& albedo, const T& roughness) : rho(albedo), r(roughness) {
-        assert(detail::in_unit_interval(rho));
-        assert(detail::in_unit_interval(r));
+        assert(detail::in_unit_interval(rho) && "burley: the albedo must be in [0,1]");
+        assert(detail::in_unit_interval(r) && "burley: roughness must be in [0,1]");
     }
 
 private:
@@ -59,8 +59,8 @@ class burley_frostbite : public cosine_sampled<burley_frostbite<S>, S> {
 public:
     constexpr burley_frostbite(const S& albedo, const T& roughness)
         : rho(albedo), r(roughness), scale(T(1) + (T(100) / T(151) - T(1)) * roughness) {
-        assert(detail::in_unit_interval(rho));
-        assert(detail::in_unit_interval(r));
+        assert(detail::in_unit_interval(rho) && "burley: the albedo must be in [0,1]");
+        assert(detail::in_unit_interval(r) && "burley: roughness must be in [0,1]");
     }
 
 private:

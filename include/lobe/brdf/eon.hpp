@@ -18,7 +18,7 @@ class eon : public cosine_sampled<eon<S, Loss>, S> {
 public:
     constexpr eon(const S& albedo, const T& roughness, const Loss& loss_of_fon = {})
         : rho(albedo), rho_ms(albedo), facets(roughness), loss(loss_of_fon) {
-        assert(detail::in_unit_interval(rho));
+        assert(detail::in_unit_interval(rho) && "eon: the albedo must be in [0,1]");
         const T c = T(6) / T(5) * inv_pi<T>() - T(1) / T(6), E_avg = facets.average_albedo();  // c = c1 - c2
         rho_ms = rho * rho * (E_avg * facets.B / c) / (S(T(1)) - rho * (facets.B * c));
     }

@@ -12,7 +12,9 @@ class lambert : public cosine_sampled<lambert<S>, S> {
     using T = detail::component_t<S>;
 
 public:
-    constexpr explicit lambert(const S& albedo) : rho(albedo) { assert(detail::in_unit_interval(rho)); }
+    constexpr explicit lambert(const S& albedo) : rho(albedo) {
+        assert(detail::in_unit_interval(rho) && "lambert: the albedo must be in [0,1]");
+    }
 
 private:
     friend cosine_sampled<lambert, S>;

@@ -36,19 +36,20 @@ public:
     // (Inlined by force, all of it: compilers would call what they meet twice, and a loop with a call does not vectorise.)
     [[gnu::always_inline]] constexpr S f(const vec3<T>& v, const vec3<T>& l) const {
         const half h(v + l);
-        return fresnel_(h.v_m) * select(above(v, l), ndf.D(h.s) / (T(4) * shadow.denominator(ndf, v, l)), T(0));
+        return fresnel_(h.v_m) * select(above(v, l), quotient(ndf.D(h.s), T(4) * shadow.denominator(ndf, v, l)), T(0));
     }
 
     [[gnu::always_inline]] constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const {
         const half h(v + l);
-        return fresnel_(h.v_m) * select(above(v, l), ndf.D(h.s) * l.z / (T(4) * shadow.denominator(ndf, v, l)), T(0));
+        return fresnel_(h.v_m) * select(above(v, l), quotient(ndf.D(h.s) * l.z, T(4) * shadow.denominator(ndf, v, l)), T(0));
     }
 
     [[gnu::always_inline]] constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const
         requires normal_sampler<Sampler, N>
     {
         const half h(v + l);
-        return select(above(v, l), ndf.D(h.s) / (T(4) * sampler.area(ndf, v, h.v_m, h.m_z(), detail::area_above(ndf, v))), T(0));
+        const T area = sampler.area(ndf, v, h.v_m, h.m_z(), detail::area_above(ndf, v));
+        return select(above(v, l), quotient(ndf.D(h.s), T(4) * area), T(0));
     }
 
     /// f_cos and pdf together, sharing their work: for multiple importance sampling.
@@ -58,8 +59,8 @@ public:
         const half h(v + l);
         const T sv = detail::area_above(ndf, v);
         const T D = ndf.D(h.s) / T(4);
-        return {fresnel_(h.v_m) * select(above(v, l), D * l.z / shadow.denominator(ndf, v, l, sv), T(0)),
-                select(above(v, l), D / sampler.area(ndf, v, h.v_m, h.m_z(), sv), T(0))};
+        return {fresnel_(h.v_m) * select(above(v, l), quotient(D * l.z, shadow.denominator(ndf, v, l, sv)), T(0)),
+                select(above(v, l), quotient(D, sampler.area(ndf, v, h.v_m, h.m_z(), sv)), T(0))};
     }
 
     /// Domain: v above the horizon, u in [0,1)^2. Fails where the sampled facet reflects v below the horizon, or its density is below the
@@ -70,10 +71,11 @@ public:
         const vec3<T> m = sampler.sample(ndf, v, u);
         const vec3<T> l = reflect(v, m);
         const T v_m = dot(v, m), sv = detail::area_above(ndf, v);
-        const T area = sampler.area(ndf, v, v_m, m.z, sv), density = ndf.D(m) / (T(4) * area);
+        const T area = sampler.area(ndf, v, v_m, m.z, sv), density = quotient(ndf.D(m), T(4) * area);
         const auto valid = above(v, l) && density > T(0);  // a Gaussian tail may underflow
         return {select(valid, l, vec3<T>{T(0), T(0), T(1)}),
-                fresnel_(select(valid, min(v_m, T(1)), T(1))) * select(valid, l.z * area / shadow.denominator(ndf, v, l, sv), T(0)),
+                fresnel_(select(valid, min(v_m, T(1)), T(1))) *
+                    select(valid, quotient(l.z * area, shadow.denominator(ndf, v, l, sv)), T(0)),
                 select(valid, density, T(0))};
     }
 
@@ -88,7 +90,7 @@ private:
         vec3<T> s;
         T v_m;  // v.m = |s|/2, which rounding may take above 1
         constexpr explicit half(const vec3<T>& sum) : s(sum), v_m(min(length(sum) / T(2), T(1))) {}
-        constexpr T m_z() const { return s.z / (T(2) * v_m); }
+        constexpr T m_z() const { return quotient(s.z, T(2) * v_m); }
     };
 
     static constexpr auto above(const vec3<T>& v, const vec3<T>& l) { return v.z > T(0) && l.z > T(0); }

@@ -27,11 +27,10 @@ class oren_nayar : public cosine_sampled<oren_nayar<S>, S> {
 
 public:
     constexpr oren_nayar(const S& albedo, const T& sigma)
-        : rho(albedo),
-          A(T(1) - sigma * sigma / (T(2) * (sigma * sigma + T(33) / T(100)))),
+        : rho(albedo), A(T(1) - sigma * sigma / (T(2) * (sigma * sigma + T(33) / T(100)))),
           B(T(9) / T(20) * sigma * sigma / (sigma * sigma + T(9) / T(100))) {
-        assert(detail::in_unit_interval(rho));
-        assert(all(sigma >= T(0)) && all(sigma <= pi<T>() / T(2)));
+        assert(detail::in_unit_interval(rho) && "oren_nayar: the albedo must be in [0,1]");
+        assert(all(sigma >= T(0)) && all(sigma <= pi<T>() / T(2)) && "oren_nayar: sigma must be in [0,pi/2] radian");
     }
 
 private:
@@ -40,7 +39,7 @@ private:
     template <class Mask>
     constexpr S pi_f(const vec3<T>& v, const vec3<T>& l, const Mask& lit, const T& factor) const {
         const T s = detail::horizontal_dot(v, l);
-        return rho * select(lit, (A + B * max(s, T(0)) / max(v.z, l.z)) * factor, T(0));
+        return rho * select(lit, (A + quotient(B * max(s, T(0)), max(v.z, l.z))) * factor, T(0));
     }
 
     S rho;
@@ -58,12 +57,12 @@ struct fujii {
     static constexpr T c2() { return T(2) / T(3) - T(28) / T(15) * inv_pi<T>(); }
 
     constexpr explicit fujii(const T& roughness) : A(T(1) / (T(1) + c1() * roughness)), B(roughness * A) {
-        assert(in_unit_interval(roughness));
+        assert(in_unit_interval(roughness) && "fon, eon: roughness must be in [0,1]");
     }
 
     constexpr T operator()(const vec3<T>& v, const vec3<T>& l) const {
         const T s = horizontal_dot(v, l);
-        return A + B * s / select(s > T(0), max(v.z, l.z), T(1));
+        return max(A + quotient(B * s, select(s > T(0), max(v.z, l.z), T(1))), T(0));  // never negative by rounding, where A + B s vanishes
     }
 
     constexpr T average_albedo() const { return A + B * c2(); }
@@ -108,7 +107,9 @@ class fon : public cosine_sampled<fon<S>, S> {
     using T = detail::component_t<S>;
 
 public:
-    constexpr fon(const S& albedo, const T& roughness) : rho(albedo), facets(roughness) { assert(detail::in_unit_interval(rho)); }
+    constexpr fon(const S& albedo, const T& roughness) : rho(albedo), facets(roughness) {
+        assert(detail::in_unit_interval(rho) && "fon: the albedo must be in [0,1]");
+    }
 
     /// E(w) = rho (1 - r A_F loss(w)), in closed form; unit w above the horizon.
     template <class Loss = fon_loss>

@@ -37,7 +37,7 @@ struct all_normals {
     }
     template <distribution N, class T = typename N::scalar>
     constexpr T area(const N&, const vec3<T>&, const T& v_m, const T& m_z, const T&) const {
-        return v_m / m_z;
+        return quotient(v_m, m_z);
     }
 };
 

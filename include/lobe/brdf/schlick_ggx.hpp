@@ -13,7 +13,7 @@ template <scalar T>
 class schlick_k {
 public:
     using scalar = T;
-    constexpr explicit schlick_k(const T& value) : k(value) { assert(all(k >= T(0))); }
+    constexpr explicit schlick_k(const T& value) : k(value) { assert(all(k >= T(0)) && "schlick_k: k must not be negative"); }
     constexpr T value() const { return k; }
 
 private:
@@ -32,7 +32,7 @@ constexpr schlick_k<T> k_from_alpha(const alpha<T>& a) {
 /// r^4/2, whose G1 is wrong by up to 0.90 (0.78 for cosines from 0.001).
 template <scalar T>
 constexpr schlick_k<T> k_ibl(const T& roughness) {
-    assert(all(roughness >= T(0)));
+    assert(all(roughness >= T(0)) && "schlick_k: roughness must not be negative");
     return schlick_k<T>(roughness * roughness / T(2));
 }
 
@@ -41,7 +41,7 @@ constexpr schlick_k<T> k_ibl(const T& roughness) {
 /// image-based light.
 template <scalar T>
 constexpr schlick_k<T> k_ue4_direct(const T& roughness) {
-    assert(all(roughness >= T(0)));
+    assert(all(roughness >= T(0)) && "schlick_k: roughness must not be negative");
     const T r = roughness + T(1);
     return schlick_k<T>(r * r / T(8));
 }
@@ -52,7 +52,7 @@ constexpr schlick_k<T> k_ue4_direct(const T& roughness) {
 template <scalar T>
 constexpr schlick_k<T> k_schlick1994(const T& rms_slope) {
     using std::sqrt;
-    assert(all(rms_slope >= T(0)));
+    assert(all(rms_slope >= T(0)) && "schlick_k: the rms slope must not be negative");
     return schlick_k<T>(sqrt(T(2) * inv_pi<T>()) * rms_slope);
 }
 
@@ -66,15 +66,11 @@ public:
     using masking_functions<schlick_ggx>::denominator;
     template <distribution N>
         requires std::same_as<T, typename N::scalar>
-    constexpr T denominator(const N&, const vec3<T>& v, const vec3<T>& l, const T&) const {
-        return area(v.z) * area(l.z);
-    }
+    constexpr T denominator(const N&, const vec3<T>& v, const vec3<T>& l, const T&) const { return area(v.z) * area(l.z); }
 
     template <distribution N>
         requires std::same_as<T, typename N::scalar>
-    constexpr T G1(const N&, const vec3<T>& v) const {
-        return v.z / area(v.z);
-    }
+    constexpr T G1(const N&, const vec3<T>& v) const { return v.z / area(v.z); }
 
 private:
     constexpr T area(const T& cosine) const { return cosine * (T(1) - k.value()) + k.value(); }  // in the place of projected_area

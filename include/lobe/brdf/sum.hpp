@@ -230,7 +230,7 @@ private:
         (keep(std::get<i>(lobes).sample(v, {stretched(q[i]), u.y}), q[i]), ...);
         const auto e = evaluate(q, v, l, every_lobe);
         const auto valid = chosen_pdf > T(0) && e.pdf > T(0);
-        return {select(valid, l, n), e.f_cos * select(valid, T(1) / e.pdf, T(0)), select(valid, e.pdf, T(0))};
+        return {select(valid, l, n), e.f_cos * select(valid, quotient(T(1), e.pdf), T(0)), select(valid, e.pdf, T(0))};
     }
 
     std::tuple<First, Rest...> lobes;

@@ -21,7 +21,7 @@ struct frame {
     /// Precondition: `tangent` is not parallel to the normal. Error: orthonormal to 4 ULP of 1.
     constexpr frame(const vec3<T>& normal, const vec3<T>& tangent)
         : t(across(normal, across(normal, tangent))), b(cross(normal, t)), n(normal) {
-        assert(all(dot(cross(normal, tangent), cross(normal, tangent)) > T(0)));
+        assert(all(dot(cross(normal, tangent), cross(normal, tangent)) > T(0)) && "frame: the tangent must not be parallel to the normal");
     }
 
     constexpr vec3<T> to_local(const vec3<T>& w) const { return {dot(w, t), dot(w, b), dot(w, n)}; }

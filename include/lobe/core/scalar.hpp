@@ -28,6 +28,12 @@ constexpr T select(bool mask, const T& a, const T& b) {
     return mask ? a : b;
 }
 
+/// a/b on a side of a `select` that is not taken where b is 0: infinite or NaN there, as IEEE has it, which is nothing to report.
+template <scalar T>
+[[gnu::always_inline]] __attribute__((no_sanitize("float-divide-by-zero"))) constexpr T quotient(const T& a, const T& b) {
+    return a / b;
+}
+
 /// Does a condition hold in every lane? One number has one lane.
 constexpr bool all(bool mask) { return mask; }
 

@@ -34,10 +34,12 @@ constexpr T length(const vec3<T>& a) {
     return sqrt(dot(a, a));
 }
 
-/// Domain: any vector whose squared length neither vanishes nor overflows.
+/// Domain: any vector whose squared length neither vanishes nor overflows. (Samplers ask it for the visible normals of a view from straight
+/// below, which has none, and do not take the answer.)
 template <scalar T>
 constexpr vec3<T> normalize(const vec3<T>& a) {
-    return a / length(a);
+    const T s = length(a);
+    return {quotient(a.x, s), quotient(a.y, s), quotient(a.z, s)};
 }
 
 /// The direction that `v` is mirrored to by a facet with unit normal `m`: 2 (v.m) m - v. Both point away from the surface.

@@ -38,6 +38,7 @@ struct schlick_terms {
 template <scalar T, class Masking>
 dfg_terms<T> dfg_exact(const Masking& masking_model, const T& mu, const alpha<T>& a, const quadrature& options = {}) {
     using W = detail::wide_t<T>;
+    assert(mu > T(0) && mu <= T(1) && "dfg_exact: the cosine must be in (0,1]");
     const microfacet lobe{ggx{alpha<W>(W(a.value()))}, masking_model, detail::schlick_terms{}};
     const vec3<W> v = detail::view_at(W(mu));
     const auto f_cos = [&](const vec3<W>& l) { return lobe.f_cos(v, l); };

@@ -17,7 +17,7 @@ public:
 
     T operator()(const T& x, const T& y) const {
         const T last = static_cast<T>(n - 1);
-        const T px = min(max(x, T(0)), T(1)) * last, py = min(max(y, T(0)), T(1)) * last;
+        const T px = min(max(T(0), x), T(1)) * last, py = min(max(T(0), y), T(1)) * last;  // in this order a NaN is 0
         const int column = std::min(static_cast<int>(px), n - 2), row = std::min(static_cast<int>(py), n - 2);
         const T tx = px - T(column), ty = py - T(row);
         const T* low = &values[index(column, row)];
@@ -87,7 +87,7 @@ struct dfg_table_options {
 template <scalar T, class Masking>
 dfg_table<T, Masking> bake_dfg(const Masking& masking_model, const dfg_table_options& options = {}) {
     using W = detail::wide_t<T>;
-    assert(options.size >= 2 && options.order >= 2);
+    assert(options.size >= 2 && options.order >= 2 && "bake_dfg: size and order must be at least 2");
     const int last = options.size - 1;
     const auto terms = [&](const W& mu, const W& a) {
         const microfacet lobe{ggx{alpha<W>(a)}, masking_model, detail::schlick_terms{}};

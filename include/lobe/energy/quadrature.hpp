@@ -74,7 +74,10 @@ T magnitude(const vec3<T>& s) {
     return max(max(magnitude(s.x), magnitude(s.y)), magnitude(s.z));
 }
 template <class S>
-    requires requires(const S s) { s.begin(); s.end(); }
+    requires requires(const S s) {
+        s.begin();
+        s.end();
+    }
 auto magnitude(const S& s) {
     auto largest = magnitude(*s.begin());
     for (const auto& component : s) largest = max(largest, magnitude(component));
@@ -135,8 +138,8 @@ auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, 
                 const W t = t_max * (W(1) - y * y * y * y);
                 const W r = W(2) * t / ((W(1) - t) * (W(1) + t));
                 const W d_chi = rule.w[static_cast<std::size_t>(j)] * W(8) * t_max * y * y * y / (W(1) + t * t);
-                const W mz2 = W(1) / (W(1) + d2 * r * r);           // m = (-r dx, -r dy, 1) sqrt(mz2)
-                const W a = vz - r * (dx * vx + dy * vy);           // v.m / m.z
+                const W mz2 = W(1) / (W(1) + d2 * r * r);  // m = (-r dx, -r dy, 1) sqrt(mz2)
+                const W a = vz - r * (dx * vx + dy * vy);  // v.m / m.z
                 const W dm = wx * wy * r * (W(1) + r * r) * mz2 * sqrt(mz2) * d_chi * d_phi;
                 const vec3<T> l(T(-W(2) * a * mz2 * r * dx - vx), T(-W(2) * a * mz2 * r * dy - vy), T(W(2) * a * mz2 - vz));
                 total = total + S(g(l)) * (W(4) * a * sqrt(mz2) * dm);
@@ -154,8 +157,8 @@ template <scalar T, class G>
 auto hemisphere_integral(const G& g, const vec3<T>& v, const vec2<T>& width, bool mirrored, const quadrature& options = {}) {
     using S = decltype(g(v));
     using W = detail::wide_t<T>;
-    assert(v.z > T(0) && width.x > T(0) && width.y > T(0));
-    assert(options.order == 0 || options.order >= 2);
+    assert(v.z > T(0) && width.x > T(0) && width.y > T(0) && "hemisphere_integral: v must be above the horizon, widths above 0");
+    assert((options.order == 0 || options.order >= 2) && "hemisphere_integral: order must be at least 2, or 0");
     const int per_square = mirrored ? 2 : 4;
     int order = options.order ? options.order / 2 : 8;
     auto value = detail::hemisphere_integral_at(g, v, width, mirrored, order);

@@ -46,7 +46,7 @@ private:
         const T e = (n - T(1)) * (n + T(1)), s2 = (T(1) - c) * (T(1) + c);
         const T g2 = e + c * c;
         const T g = sqrt(select(g2 > T(0), g2, T(1)));
-        const T rs = e / (e + T(2) * c * (g + c));
+        const T rs = quotient(e, e + T(2) * c * (g + c));
         const T p = (g * c - s2) / (g * c + s2);
         return select(g2 > T(0), rs * rs * (T(1) + p * p) / T(2), T(1));
     }
@@ -63,7 +63,7 @@ private:
         const T x2 = x * x;
         T series(0);  // for x < 1/2, where a term has 2 bits
         for (int k = detail::digits<T>() / 2 + 1; k >= 0; --k) series = T(1) / detail::constant<T>(2 * k + 3) + x2 * series;
-        const T a = select(x2 < T(1) / T(4), series, (log(select(inside, T(1) / n, n)) / T(2) - x) / (x2 * x));
+        const T a = select(x2 < T(1) / T(4), series, quotient(log(select(inside, T(1) / n, n)) / T(2) - x, x2 * x));
         const T h = T(1) + x2, up = (T(1) + x) * (T(1) + x), down = (T(1) - x) * (T(1) - x);
         const T Q = T(7) + x * (T(44) + x2 * (T(-24) + x * (T(6) + x * (T(36) + x * (T(16) + x * (T(8) + x * T(3)))))));
         const T bracket = Q + T(3) * up * up * down * (T(1) + x2 * (T(6) + x2)) * a + T(24) * x * up * log(select(x > T(0), x, T(1)));

@@ -22,7 +22,7 @@ auto irradiance(const Environment& environment, const vec3<T>& n, std::uint32_t 
     using S = std::decay_t<decltype(environment(n))>;
     using WS = detail::wide_t<S>;
     using W = detail::wide_t<T>;
-    assert(count > 0);
+    assert(count > 0 && "irradiance: count must be above 0");
     const frame<T> at(n);
     WS total(W(0));
     for (std::uint32_t i = 0; i < count; ++i)

@@ -20,8 +20,8 @@ struct latlong {
 
     /// Precondition: width * height pixels, at least one.
     latlong(int columns, int rows, std::vector<vec3<T>> radiance) : width(columns), height(rows), pixels(std::move(radiance)) {
-        assert(width > 0 && height > 0);
-        assert(pixels.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        assert(width > 0 && height > 0 && "latlong: an image has at least one pixel");
+        assert(pixels.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) && "latlong: width times height pixels");
     }
 
     const vec3<T>& at(int column, int row) const {
@@ -34,7 +34,7 @@ struct latlong {
         const T x = uv.x * T(width) - T(0.5), y = uv.y * T(height) - T(0.5);
         const T x0 = floor(x), y0 = floor(y);
         const int left = (static_cast<int>(x0) + width) % width, right = (left + 1) % width;
-        const int top = std::clamp(static_cast<int>(y0), 0, height - 1), bottom = std::min(static_cast<int>(y0) + 1, height - 1);
+        const int top = std::clamp(static_cast<int>(y0), 0, height - 1), bottom = std::clamp(static_cast<int>(y0) + 1, 0, height - 1);
         const T tx = x - x0, ty = y - y0;
         return (at(left, top) * (T(1) - tx) + at(right, top) * tx) * (T(1) - ty) +
                (at(left, bottom) * (T(1) - tx) + at(right, bottom) * tx) * ty;
@@ -48,8 +48,7 @@ class latlong_pyramid {
 public:
     explicit latlong_pyramid(latlong<T> base) {
         levels.push_back(std::move(base));
-        while (levels.back().height > 2 && levels.back().width > 2)
-            levels.push_back(halved(levels.back()));
+        while (levels.back().height > 2 && levels.back().width > 2) levels.push_back(halved(levels.back()));
     }
 
     vec3<T> operator()(const vec3<T>& direction) const { return levels.front()(direction); }
@@ -59,7 +58,7 @@ public:
         using std::log2;
         const T side = pi<T>() / T(levels.front().height);
         const T finest(0), coarsest = static_cast<T>(levels.size() - 1);
-        const T lod = min(max(log2(solid_angle / (side * side)) / T(2), finest), coarsest);
+        const T lod = min(max(finest, log2(solid_angle / (side * side)) / T(2)), coarsest);  // in this order a NaN is the finest
         const auto low = static_cast<std::size_t>(lod);
         const auto high = std::min(low + 1, levels.size() - 1);
         const T t = lod - static_cast<T>(low);

@@ -24,7 +24,7 @@ auto prefiltered_radiance(const Environment& environment, const vec3<T>& r, cons
     using S = std::decay_t<decltype(environment(r))>;
     using WS = detail::wide_t<S>;
     using W = detail::wide_t<T>;
-    assert(count > 0);
+    assert(count > 0 && "prefiltered_radiance: count must be above 0");
     const ggx normals{a};
     const frame<T> at(r);
     WS total(W(0));

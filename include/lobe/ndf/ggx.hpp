@@ -15,7 +15,7 @@ struct ggx_profile {
         using std::sqrt;
         const T q = w.x * w.x + w.y * w.y;
         const T S = sqrt(q + w.z * w.z);
-        return select(w.z < T(0), q / (S - w.z), S + w.z) / T(2);
+        return select(w.z < T(0), quotient(q, S - w.z), S + w.z) / T(2);
     }
 
     /// The same where w is known to be above the horizon: no division.
@@ -29,7 +29,7 @@ struct ggx_profile {
         using std::sqrt;
         const T q = w.x * w.x + w.y * w.y;
         const T S = sqrt(q + w.z * w.z);
-        return select(w.z < T(0), S - w.z, q / (S + w.z)) / (T(2) * w.z);
+        return select(w.z < T(0), S - w.z, quotient(q, S + w.z)) / (T(2) * w.z);
     }
 
     /// Inverse CDF (Walter et al. 2007, eq. 35-36): the cosine hemisphere.
@@ -46,7 +46,7 @@ struct ggx_profile {
     constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const {
         using std::sqrt;
         const T sine2 = v.x * v.x + v.y * v.y;
-        const T height = select(v.z < T(0), sine2 / (T(1) - v.z), T(1) + v.z);  // 1 + v.z
+        const T height = select(v.z < T(0), quotient(sine2, T(1) - v.z), T(1) + v.z);  // 1 + v.z
         const T z = (T(1) - u.x) * height;
         const T r = sqrt(u.x * (height * z + sine2));
         const auto [s, c] = sincos_2pi(u.y);

@@ -97,7 +97,7 @@ vec3<T> sample_visible_radial(const Shape& shape, const T& back, const vec3<T>& 
         };
         T widest(115);
         if constexpr (requires { shape.max_tan2(); }) widest = asinh(sqrt(max(T(shape.max_tan2()) - a * a, T(0))));
-        const T steep = sigma - gentle, guess = shape.tan2(T(1) - steeper * min(wanted / steep, T(1))) - a * a;
+        const T steep = sigma - gentle, guess = shape.tan2(T(1) - steeper * (wanted < steep ? wanted / steep : T(1))) - a * a;
         const T R = sinh(root_of_increasing<T>(T(0), widest, asinh(sqrt(max(guess, T(0)))), excess));
         r = sqrt(a * a + R * R);
         phi_max = atan2(R, -cot);
@@ -116,9 +116,9 @@ template <class Shape, single T>
 vec3<T> sample_visible_by_quadrature(const Shape& shape, const vec3<T>& v, const vec2<T>& u) {
     using W = at_least_double<T>;
     using std::sqrt;
-    const T cotangent = max(v.z, -v.z) / sqrt(v.x * v.x + v.y * v.y), back = shape.back(min(cotangent, largest<T>()));
+    const T cotangent = min(quotient(T(max(v.z, -v.z)), T(sqrt(v.x * v.x + v.y * v.y))), largest<T>());
     const vec3<W> wide = normalize(vec3<W>{W(v.x), W(v.y), W(v.z)});
-    const vec3<W> m = normalize(sample_visible_radial(shape.template as<W>(), W(back), wide, {W(u.x), W(u.y)}));
+    const vec3<W> m = normalize(sample_visible_radial(shape.template as<W>(), W(shape.back(cotangent)), wide, {W(u.x), W(u.y)}));
     return {T(m.x), T(m.y), T(m.z)};
 }
 
@@ -136,7 +136,7 @@ public:
     constexpr T D(const vec3<T>& m, const Width& width) const {
         const T z = max(m.z, max(max(m.x, -m.x), max(m.y, -m.y)) * detail::horizon<T>());
         const vec3<T> s = width.unstretch(vec3<T>{m.x, m.y, z});
-        return shape.D((s.x * s.x + s.y * s.y) / (s.z * s.z), (m.x * m.x + m.y * m.y) / (z * z) + T(1)) / (width.x() * width.y());
+        return shape.D(quotient(s.x * s.x + s.y * s.y, s.z * s.z), quotient(m.x * m.x + m.y * m.y, z * z) + T(1)) / (width.x() * width.y());
     }
 
     /// max(0, z) + back faces.
@@ -174,7 +174,7 @@ public:
     }
 
 private:
-    static constexpr T cotangent(const T& z, const T& s) { return min(max(z, -z) / s, detail::largest<T>()); }
+    static constexpr T cotangent(const T& z, const T& s) { return min(quotient(max(z, -z), s), detail::largest<T>()); }
 
     [[no_unique_address]] Shape shape;
 

@@ -44,12 +44,30 @@ struct sampled_light {
     T pdf;
 };
 
+/// The number that S consists of: a float spectrum is multiplied by a float.
+template <class S>
+struct component_of {
+    using type = double;
+};
+template <class S>
+    requires std::is_arithmetic_v<S>
+struct component_of<S> {
+    using type = S;
+};
+template <class S>
+    requires requires { typename S::value_type; }
+struct component_of<S> {
+    using type = typename S::value_type;
+};
+template <class S>
+using component = typename component_of<S>::type;
+
 /// f(v,l) without the cosine as f_cos(v,l) = f cos(theta_l), zero below the horizon. The type of the vectors is that of the call.
 template <class F>
 auto with_cosine(F f) {
     return [f = std::move(f)]<class T>(const vec3<T>& v, const vec3<T>& l) {
         using S = std::remove_cvref_t<decltype(f(v, l))>;
-        return l.z > T(0) && v.z > T(0) ? S(f(v, l) * l.z) : S(0);
+        return l.z > T(0) && v.z > T(0) ? S(f(v, l) * static_cast<component<S>>(l.z)) : S(0);
     };
 }
 

@@ -77,7 +77,8 @@ public:
                 done = true;
                 for (std::size_t k = 0; k < driving; ++k) done = done && !open(k);
             }
-            if (done) return;
+            if (done && (evaluations_ >= max_evaluations || !grade())) return;
+            if (done) continue;
 
             std::vector<std::pair<double, std::size_t>> by_error;
             double all = 0;
@@ -97,6 +98,30 @@ public:
                 marked += e;
             }
         }
+    }
+
+    /// Cuts cells that are more than 4 times as wide or high as a neighbour that matters: a ridge leads from that one into them, unseen.
+    bool grade() {
+        std::vector<std::pair<std::size_t, bool>> too_large;
+        for (const cell& c : cells_) {
+            if (!c.leaf()) continue;
+            bool matters = false;
+            for (std::size_t k = 0; k < driving; ++k) matters = matters || std::abs(c.integral[k]) > 1e-5 * std::abs(total_[k]);
+            if (!matters) continue;
+            const double x = c.x0 + c.width / 2, y = c.y0 + c.height / 2, out = 0.51;
+            for (const auto& [dx, dy] : {std::pair(out, 0.0), {-out, 0.0}, {0.0, out}, {0.0, -out}}) {
+                const double there_x = x + dx * c.width, there_y = y + dy * c.height;
+                if (there_x < 0 || there_x >= 1 || there_y < 0 || there_y >= 1) continue;
+                const std::size_t at = find(there_x, there_y);
+                if (cells_[at].width > 4.5 * c.width)
+                    too_large.push_back({at, true});
+                else if (cells_[at].height > 4.5 * c.height)
+                    too_large.push_back({at, false});
+            }
+        }
+        for (const auto& [at, across_x] : too_large)
+            if (cells_[at].leaf()) cut(at, across_x);
+        return !too_large.empty();
     }
 
     const values& integral() const { return total_; }

@@ -315,7 +315,7 @@ private:
 /// where they exist: one of `projected_area(w)`, `lambda(w)`, `G1(w)` (Smith); `sample(u)` and `pdf(m)`; `sample_visible(v, u)` and
 /// `pdf_visible(v, m)`.
 template <class N>
-report verify_distribution(const N& ndf, const options& o = {}) {
+[[nodiscard]] report verify_distribution(const N& ndf, const options& o = {}) {
     return detail::distribution_judge(detail::interface_of_distribution(ndf), o).verdict();
 }
 

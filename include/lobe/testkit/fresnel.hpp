@@ -128,7 +128,7 @@ private:
 /// Judges any callable F(cos) of the cosine between the direction and the (micro)normal, a scalar or rgb; `average()`, its cosine-weighted
 /// mean 2 int F(u) u du, where it exists.
 template <class F>
-report verify_fresnel(const F& fresnel, const options& o = {}) {
+[[nodiscard]] report verify_fresnel(const F& fresnel, const options& o = {}) {
     return detail::fresnel_judge<F>(fresnel, o).verdict();
 }
 

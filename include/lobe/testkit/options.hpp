@@ -24,7 +24,7 @@ struct options {
     bool area_below = false;  // projected_area is right below the horizon, too
 
     // Claims about a Fresnel reflectance, or a set of points.
-    bool flat_at_normal = true;   // dF/dcos = 0 at normal incidence: all bare interfaces, no thin films
+    bool flat_at_normal = true;   // dF/dcos = 0 at normal incidence: all bare interfaces in unpolarised light, no thin films
     bool low_discrepancy = true;  // more evenly spread than random points
 };
 

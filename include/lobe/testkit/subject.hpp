@@ -78,11 +78,11 @@ struct spectrum<S> {
 };
 
 template <class B, class V>
-concept has_f_cos = requires(const B b, const V w) {
+concept has_f_cos = requires(const B& b, const V w) {
     b.f_cos(w, w);
 };
 template <class B, class V>
-concept is_f_cos = !has_f_cos<B, V> && requires(const B b, const V w) {
+concept is_f_cos = !has_f_cos<B, V> && requires(const B& b, const V w) {
     b(w, w);
 };
 
@@ -140,7 +140,7 @@ class generator {
 public:
     explicit generator(std::uint64_t seed) : engine(seed) {}
     double operator()() { return static_cast<double>(engine() >> 11) * 0x1p-53; }
-    double log_between(double low, double high) { return low * std::pow(high / low, (*this)()); }
+    double log_between(double low, double high) { return low * std::exp((*this)() * std::log(high / low)); }
     std::uint64_t bits() { return engine(); }
 
 private:
@@ -171,7 +171,7 @@ double rounding_noise(const F& value, const place<T>& at, int steps = 32) {
     double noise = 0;
     for (int i = 0; i < steps; ++i) {
         // Both a little longer or shorter, which changes no half vector but how its components round; then each component.
-        const T scale = T(1) + static_cast<T>(2 * random() - 1) * T(16) * std::numeric_limits<T>::epsilon();
+        const T scale = T(1) + static_cast<T>(2 * random() - 1) * std::numeric_limits<T>::epsilon();
         vec3<T> v = at.v * scale, l = at.l * scale;
         for (vec3<T>* w : {&v, &l})
             for (int k = 0; k < 3; ++k) {
@@ -179,6 +179,9 @@ double rounding_noise(const F& value, const place<T>& at, int steps = 32) {
                 const T moved = static_cast<T>(static_cast<double>((*w)[k]) + step);
                 (*w)[k] = k < 2 || (moved > T(0)) == ((*w)[k] > T(0)) ? moved : (*w)[k] / T(2);  // the horizon is not crossed
             }
+        // Turned, not stretched: what is no direction need not be right.
+        v = vec3<T>(vec3<double>(v) * static_cast<double>(scale) * (length(vec3<double>(at.v)) / length(vec3<double>(v))));
+        l = vec3<T>(vec3<double>(l) * static_cast<double>(scale) * (length(vec3<double>(at.l)) / length(vec3<double>(l))));
         noise = std::max(noise, std::abs(value(v, l) - exact));
     }
     return noise;

@@ -69,6 +69,9 @@ private:
                   "the BRDF returned 0 for every pair of directions: nothing can be verified"},
                  b.largest > 0});
         b.of_f.report_to(all);
+        all.add({{"the same input, the same value", double(unsteady), 0, 0, unsteady ? unsteady_at.text() : "",
+                  "a random generator inside: all randomness comes from u"},
+                 unsteady == 0});
         if (b.has_pdf()) b.of_pdf.report_to(all, false);
         if (b.has_sample()) {
             b.of_sample.report_to(all);
@@ -101,6 +104,7 @@ private:
             const V &v = directions.first, &l = directions.second;
             if (!(v.z > T(0)) || !(l.z > T(0))) continue;
             const values f = b.f_cos(v, l);
+            if (i < 256) repeat(v, l, f, {below_one<T>(random()), below_one<T>(random())});
             if (b.has_sample()) compare_sample(v, {below_one<T>(random()), below_one<T>(random())});
             if (options_.reciprocal) {
                 const values g = b.f_cos(l, v);
@@ -256,6 +260,16 @@ private:
             });
     }
 
+    /// Asked twice, a function answers twice the same.
+    void repeat(const V& v, const V& l, const values& f, const vec2<T>& u) {
+        bool same = b.f_cos(v, l) == f && (!b.has_pdf() || b.pdf(v, l) == b.pdf(v, l));
+        if (same && b.has_sample()) {
+            const auto one = b.sample(v, u), two = b.sample(v, u);
+            same = one.pdf == two.pdf && one.weight == two.weight && (!one.ok || one.l == two.l);
+        }
+        if (!same && !unsteady++) unsteady_at = {v, l, u, true, true};
+    }
+
     /// Weight and density of a sample against the functions.
     drawn<T, channels> compare_sample(const V& v, const vec2<T>& u) {
         const drawn<T, channels> s = b.sample(v, u);
@@ -367,6 +381,8 @@ private:
     comparison<T> product{"weight * pdf = f_cos", options_.tolerance, "the weight of a sample is not f_cos / pdf"};
     comparison<T> same_pdf{"pdf(v, sample.l) = sample.pdf", options_.tolerance,
                            "sample and pdf are two formulas: another width, another measure, or another lobe"};
+    long unsteady = 0;
+    place<T> unsteady_at{};
     report r{""};
     bool isotropic;
 };
@@ -377,7 +393,7 @@ private:
 /// away from the surface. A scalar or rgb (or any spectrum that [] reads), in float or double. `sample(v, u)`, which returns l, weight and
 /// pdf, and `pdf(v, l)` are verified where they exist, each on its own.
 template <class B>
-report verify(const B& brdf, const options& o = {}) {
+[[nodiscard]] report verify(const B& brdf, const options& o = {}) {
     return detail::judge(detail::interface_of(brdf), o).verdict();
 }
 

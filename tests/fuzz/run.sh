@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Fuzzes under the sanitizers: tests/fuzz/run.sh [seconds], 60 by default, three quarters of them in the stated domain, the rest on any bits.
+# New inputs stay in build/fuzz; one that breaks an invariant is printed and kept there as well.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+source "$root/tests/setup.sh"
+need cmake ninja-build clang libclang-rt-14-dev libglm-dev catch2 libboost-dev libxsimd-dev
+seconds=${1:-60}
+
+cd "$root"
+cmake --preset fuzz
+cmake --build --preset fuzz
+fuzz() {
+    local name=$1 time=$2 out=build/fuzz/inputs_$1
+    mkdir -p "$out"
+    "build/fuzz/tests/fuzz/$name" -max_total_time="$time" -max_len=512 -artifact_prefix="$out/broken_" -verbosity=0 -entropic=0 "$out" tests/fuzz/corpus
+}
+fuzz lobe_fuzz $((seconds * 3 / 4))
+fuzz lobe_fuzz_any_bits $((seconds - seconds * 3 / 4))
