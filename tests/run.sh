@@ -7,6 +7,7 @@ need cmake ninja-build g++ clang libglm-dev catch2 libboost-dev libxsimd-dev lib
 
 presets=("$@")
 (($#)) || presets=(gcc clang)
+[[ " ${presets[*]} " != *" sanitize "* ]] || need libclang-rt-dev
 
 cd "$root"
 for preset in "${presets[@]}"; do

@@ -37,6 +37,18 @@ public:
         return std::visit([](const auto& f) -> S { return f.average(); }, one);
     }
 
+    /// Is the cosine c so near to total internal reflection that rounding it decides about F? The slope of F is infinite there; g^2 =
+    /// eta^2 - 1 + c^2 is off by 24 u, and what a conductor absorbs rounds the corner off by 2 eta k.
+    bool critical(const T& c, int i) const {
+        const auto near = [&](const T& eta, const T& k) {
+            const T g2 = (eta - T(1)) * (eta + T(1)) + c * c;
+            return eta < T(1) && std::abs(g2) + T(2) * eta * k <= T(256) * std::numeric_limits<T>::epsilon();
+        };
+        if (const auto* glass = std::get_if<lobe::dielectric<S>>(&one)) return near(glass->relative_index()[i], T(0));
+        if (const auto* metal = std::get_if<lobe::conductor<S>>(&one)) return near(metal->index()[i], metal->extinction()[i]);
+        return false;
+    }
+
 private:
     static choice chosen(input& in) {
         switch (in.keep("fresnel", in.below(8))) {

@@ -4,7 +4,7 @@
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 source "$root/tests/setup.sh"
-need cmake ninja-build clang libclang-rt-14-dev libglm-dev catch2 libboost-dev libxsimd-dev
+need cmake ninja-build clang libclang-rt-dev libglm-dev catch2 libboost-dev libxsimd-dev
 seconds=${1:-60}
 
 cd "$root"
