@@ -171,7 +171,7 @@ double rounding_noise(const F& value, const place<T>& at, int steps = 32) {
     double noise = 0;
     for (int i = 0; i < steps; ++i) {
         // Both a little longer or shorter, which changes no half vector but how its components round; then each component.
-        const T scale = T(1) + static_cast<T>(2 * random() - 1) * std::numeric_limits<T>::epsilon();
+        const T scale = T(1) + static_cast<T>(2 * random() - 1) * T(16) * std::numeric_limits<T>::epsilon();
         vec3<T> v = at.v * scale, l = at.l * scale;
         for (vec3<T>* w : {&v, &l})
             for (int k = 0; k < 3; ++k) {
@@ -179,9 +179,6 @@ double rounding_noise(const F& value, const place<T>& at, int steps = 32) {
                 const T moved = static_cast<T>(static_cast<double>((*w)[k]) + step);
                 (*w)[k] = k < 2 || (moved > T(0)) == ((*w)[k] > T(0)) ? moved : (*w)[k] / T(2);  // the horizon is not crossed
             }
-        // Turned, not stretched: what is no direction need not be right.
-        v = vec3<T>(vec3<double>(v) * static_cast<double>(scale) * (length(vec3<double>(at.v)) / length(vec3<double>(v))));
-        l = vec3<T>(vec3<double>(l) * static_cast<double>(scale) * (length(vec3<double>(at.l)) / length(vec3<double>(l))));
         noise = std::max(noise, std::abs(value(v, l) - exact));
     }
     return noise;
