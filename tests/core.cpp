@@ -150,6 +150,9 @@ TEST_CASE("preconditions end in an assert", "[core]") {
     CHECK(aborts([] { (void)lobe::alpha<float>(0.0f); }));
     CHECK(aborts([] { (void)lobe::alpha<float>(-0.1f); }));
     CHECK(aborts([] { (void)lobe::alpha<float>(std::numeric_limits<float>::quiet_NaN()); }));
+    CHECK(aborts([] { (void)lobe::alpha<float>(std::numeric_limits<float>::infinity()); }));
+    CHECK(aborts([] { (void)lobe::alpha_xy<float>(0.1f, std::numeric_limits<float>::infinity()); }));
+    CHECK_FALSE(aborts([] { (void)lobe::alpha<float>(std::numeric_limits<float>::max()); }));
     CHECK(aborts([] { (void)lobe::alpha<float>::from_roughness(0.0f); }));
     CHECK(aborts([] { (void)lobe::alpha_xy<float>(0.1f, 0.0f); }));
     CHECK(aborts([] { (void)frame<float>(vec3<float>{0, 0, 1}, vec3<float>{0, 0, 2}); }));

@@ -205,9 +205,12 @@ TEMPLATE_TEST_CASE("limits: Fresnel at its ends", "[limits]", float, double) {
     for (const T c : {T(0), T(0.3), T(1)}) {
         CHECK(same(lobe::dielectric{most}(c), 1, 8));
         CHECK(lobe::dielectric{least}(c) == 1);
+        CHECK(lobe::dielectric{limits<T>::denorm_min()}(c) == 1);
     }
+    for (const T eta : {least, T(0.5), T(1), T(1.5), most}) CHECK(lobe::dielectric{eta}(T(0)) == 1);
     CHECK(same(lobe::dielectric{most}.average(), 1, 12));
     CHECK(same(lobe::dielectric{least}.average(), 1, 12));
+    CHECK(same(lobe::dielectric{limits<T>::denorm_min()}.average(), 1, 12));
     // k = 0 is a dielectric, eta = 1 among them (8 ULP each); k large a mirror
     for (const T eta : {T(0.5), T(1), T(1.33), T(2.5), T(100)})
         for (const T c : {T(0), T(1e-3), T(0.3), T(0.95), T(1)}) {
@@ -401,11 +404,15 @@ TEMPLATE_TEST_CASE("limits: a NaN in a direction never becomes light", "[limits]
             CHECK(dark(b.pdf(v, w)));
             CHECK(dark(b.evaluate(v, w).pdf));
         }
-        const auto s = b.sample(unknown, {T(0.3), T(0.6)});
-        CHECK(s.pdf == 0);  // so that `if (s.pdf == 0) break;` ends the path
-        CHECK(s.l == normal<T>);
+        CHECK(failed(b.sample(unknown, {T(0.3), T(0.6)})));
+        CHECK(failed(b.sample(half_known, {T(0.3), T(0.6)})));
     });
     // where one number is asked for, a NaN is the edge: a cosine of zero
+    const lobe::sum both{microfacet{ggx{alpha<T>(T(0.1))}, smith_correlated{}, schlick{T(0.5)}}, lobe::lambert{T(0.5)}};
+    for (const T x : {T(0.1), T(0.9)})  // one lobe is drawn, then the other, which does not look at v.x
+        CHECK(failed(both.sample(vec3<T>{not_a_number<T>, 0, T(0.8)}, {x, T(0.6)})));
+    const lobe::coupled base{lobe::lambert{T(0.5)}, lobe::fresnel_coupling{schlick{T(0.5)}}};
+    CHECK(failed(base.sample(unknown, {T(0.3), T(0.6)})));
     const auto table = lobe::bake_dfg<T>(smith_correlated{}, {.size = 8, .order = 16});
     CHECK(table(not_a_number<T>, alpha<T>(T(0.3))).albedo() == table(T(0), alpha<T>(T(0.3))).albedo());
 }
@@ -464,7 +471,11 @@ TEMPLATE_TEST_CASE("limits: split-sum terms at the edges of the table and beyond
             CHECK(t.albedo() <= 1 + T(2e-5));  // the nodes are of order 16
         }
         CHECK(table(T(-1), width).scale == table(T(0), width).scale);
-        CHECK(table(T(2), width).scale == table(T(1), width).scale);
+        for (const T mu : {T(2), limits<T>::max(), limits<T>::infinity()}) {
+            CHECK(table(mu, width).scale == table(T(1), width).scale);
+            CHECK(table(mu, width).bias == table(T(1), width).bias);
+        }
+        CHECK(table(-limits<T>::infinity(), width).bias == table(T(0), width).bias);
     }
     CHECK(table(T(0.3), alpha<T>(T(3))).scale == table(T(0.3), alpha<T>(T(1))).scale);
     // a mirror seen along its normal
@@ -508,11 +519,17 @@ TEMPLATE_TEST_CASE("limits: parameters outside the domain end in an assert that 
         INFO("expected: " << sentence << "\nsaid: " << said);
         CHECK(said.find(sentence) != std::string::npos);
     };
+    for (const T bad : {T(0), T(-0.0), T(-1), not_a_number<T>, inf}) {
+        expect("alpha must be above 0 and finite", [&] { (void)alpha<T>(bad); });
+        expect("both widths must be above 0 and finite", [&] { (void)alpha_xy<T>(bad, T(1)); });
+        expect("both widths must be above 0 and finite", [&] { (void)alpha_xy<T>(T(1), bad); });
+        expect("eta must be above 0 and its square finite", [&] { (void)lobe::dielectric<T>(bad); });
+        expect("eta must be above 0 and its square finite", [&] { (void)lobe::dielectric<vec3<T>>(vec3<T>{T(1), T(1), bad}); });
+    }
+    expect("eta must be above 0 and its square finite", [] { (void)lobe::dielectric<T>(2 * std::sqrt(limits<T>::max())); });
+    CHECK(last_words([] { (void)alpha<T>(limits<T>::max()); }).empty());
+    CHECK(last_words([] { (void)lobe::dielectric<T>(std::sqrt(limits<T>::max()) / 2); }).empty());
     for (const T bad : {T(0), T(-0.0), T(-1), not_a_number<T>}) {
-        expect("alpha must be above 0", [&] { (void)alpha<T>(bad); });
-        expect("both widths must be above 0", [&] { (void)alpha_xy<T>(bad, T(1)); });
-        expect("both widths must be above 0", [&] { (void)alpha_xy<T>(T(1), bad); });
-        expect("eta must be above 0", [&] { (void)lobe::dielectric<T>(bad); });
         expect("eta must be above 0", [&] { (void)lobe::f0_from_ior(bad); });
         expect("eta must be in [1/1000, 1e9]", [&] { (void)lobe::conductor<T>(bad, T(1)); });
     }

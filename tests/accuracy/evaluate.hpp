@@ -1,17 +1,21 @@
 // Values as the flags of this build make them, and the truth, which no flag touches.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 namespace accuracy {
 
-/// The row's value in float or double from inputs that the type holds exactly.
-double value_in_float(int row, const double* x);
-double value_in_double(int row, const double* x);
+/// A number in the first, or a direction.
+using result = std::array<double, 3>;
 
-/// How far it is from the same formula on fifty digits: in units of the last place of the type, at the truth or at 1.
-double error_of_float(int row, const double* x, double value);
-double error_of_double(int row, const double* x, double value);
+/// The row's value in float or double from inputs that the type holds exactly.
+result value_in_float(int row, const double* x);
+result value_in_double(int row, const double* x);
+
+/// How far it is from the same formula on fifty digits, in the row's unit.
+double error_of_float(int row, const double* x, const result& of);
+double error_of_double(int row, const double* x, const result& of);
 
 /// The same for functions of one float, n at a time; the truth is the formula in double.
 void sweep_values(int function, const float* u, float* values, std::size_t n);

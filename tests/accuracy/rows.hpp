@@ -2,7 +2,9 @@
 #pragma once
 
 #include <lobe/brdf/burley.hpp>
+#include <lobe/brdf/ggx_samplers.hpp>
 #include <lobe/brdf/microfacet.hpp>
+#include <lobe/brdf/oren_nayar.hpp>
 #include <lobe/brdf/schlick_ggx.hpp>
 #include <lobe/brdf/v_cavity.hpp>
 #include <lobe/core/frame.hpp>
@@ -12,9 +14,14 @@
 #include <lobe/fresnel/schlick.hpp>
 #include <lobe/fresnel/schlick_gaussian.hpp>
 #include <lobe/fresnel/schlick_roughness.hpp>
+#include <lobe/ndf/abc.hpp>
 #include <lobe/ndf/beckmann.hpp>
+#include <lobe/ndf/blinn_phong.hpp>
+#include <lobe/ndf/exponential_power.hpp>
 #include <lobe/ndf/ggx.hpp>
+#include <lobe/ndf/gtr.hpp>
 #include <lobe/ndf/sggx.hpp>
+#include <lobe/ndf/student_t.hpp>
 #include <lobe/sampling/warp.hpp>
 
 #include <string>
@@ -29,23 +36,33 @@ using lobe::vec3;
 
 /// What a row's numbers are.
 enum class inputs {
-    turn,        // u
-    cosine,      // u
-    normal,      // ax = ay, m
-    normal_xy,   // ax, ay, m
-    view,        // ax = ay, w above the horizon
-    view_xy,     // ax, ay, w above the horizon
-    view_below,  // ax, ay, w below the horizon
-    pair,        // ax = ay, v, l
-    pair_xy,     // ax, ay, v, l
-    direction,   // w
-    index,       // an index of refraction
-    roughness,   // roughness, a degree of anisotropy
+    turn,          // u
+    cosine,        // u
+    normal,        // ax = ay, m
+    normal_xy,     // ax, ay, m
+    view,          // ax = ay, w above the horizon
+    view_xy,       // ax, ay, w above the horizon
+    view_below,    // ax, ay, w below the horizon
+    pair,          // ax = ay, v, l
+    pair_xy,       // ax, ay, v, l
+    direction,     // w
+    index,         // an index of refraction
+    reflectance,   // F0
+    roughness,     // roughness, a degree of anisotropy
+    square,        // ., ., u
+    square_of,     // ax = ay, u
+    square_of_xy,  // ax, ay, u
+    seen,          // ax = ay, u, v above the horizon
+    seen_xy,       // ax, ay, u, v above the horizon
+    seen_below,    // ax = ay, u, v below the horizon
 };
 
-/// In the last place of the value; of 1; or of the value, times 1 + |ln(D pi ax ay)|, as exponentials round.
-enum class unit { ulp, ulp_of_1, ulp_of_exponential };
+/// In the last place of the value; of 1; or of the value, times 1 + |ln(D pi ax ay)|, as exponentials round. Of directions the angle
+/// between two, of points of the unit disk the distance: those of float, of double 2^29 times smaller.
+enum class unit { ulp, ulp_of_1, ulp_of_exponential, radian, radius };
 
+/// A function with values (or directions), the worst of its errors, and the 99.9 % quantile: it is smaller where a map is ill-conditioned
+/// in a corner of its domain.
 template <class U>
 struct row {
     const char* name;
@@ -53,11 +70,22 @@ struct row {
     double bound;
     unit in;
     U (*value)(const U* x);
+    double most = bound;
+    vec3<U> (*direction)(const U* x) = nullptr;
 };
 
 template <class U>
 vec3<U> at(const U* x) {
     return {x[0], x[1], x[2]};
+}
+
+template <class U>
+vec2<U> square(const U* x) {
+    return {x[2], x[3]};
+}
+template <class U>
+vec3<U> on_plane(const vec2<U>& p) {
+    return {p.x, p.y, U(0)};
 }
 
 /// A constant that every type has exactly.
@@ -66,13 +94,20 @@ U number(double x) {
     return U(x);
 }
 
+/// D of a radial shape of width a, without the table of its area.
+template <class U, class Shape>
+U density(const Shape& shape, const U* x) {
+    return lobe::radial_profile<Shape, U>(shape).D(at(x + 2), alpha<U>(x[0]));
+}
+
 template <class U>
 std::vector<row<U>> rows() {
     using lobe::beckmann;
     using lobe::ggx;
     using lobe::smith_correlated;
     using lobe::smith_separable;
-    constexpr auto ulp = unit::ulp, of_1 = unit::ulp_of_1, exponential = unit::ulp_of_exponential;
+    constexpr auto ulp = unit::ulp, of_1 = unit::ulp_of_1, exponential = unit::ulp_of_exponential, radian = unit::radian,
+                   radius = unit::radius;
     return {
         {"sin of sincos_2pi", inputs::turn, 2, ulp, [](const U* x) { return U(lobe::sincos_2pi(x[0]).sin); }},
         {"cos of sincos_2pi", inputs::turn, 2, ulp, [](const U* x) { return U(lobe::sincos_2pi(x[0]).cos); }},
@@ -129,7 +164,12 @@ std::vector<row<U>> rows() {
              return U(lobe::schlick_roughness{number<U>(0.03125), number<U>(0.5)}(x[0]));
          }},
         {"f0_from_ior", inputs::index, 7, ulp, [](const U* x) { return U(lobe::f0_from_ior(x[0])); }},
-        {"dielectric average", inputs::index, 12, ulp, [](const U* x) { return U(lobe::dielectric{x[0]}.average()); }},
+        {"ior_from_f0", inputs::reflectance, 4, ulp, [](const U* x) { return U(lobe::ior_from_f0(x[0])); }},
+        {"conductor average, k = 1/2", inputs::index, 8, ulp,
+         [](const U* x) {
+             return U(lobe::conductor{x[0], number<U>(0.5)}.average());
+         }},
+        {"dielectric average", inputs::index, 16, ulp, [](const U* x) { return U(lobe::dielectric{x[0]}.average()); }},
         {"alpha_xy::from_disney, x", inputs::roughness, 6, ulp, [](const U* x) { return U(alpha_xy<U>::from_disney(x[0], x[1]).x()); }},
         {"alpha_xy::from_disney, y", inputs::roughness, 6, ulp, [](const U* x) { return U(alpha_xy<U>::from_disney(x[0], x[1]).y()); }},
         {"alpha_xy::from_imageworks, x", inputs::roughness, 2, ulp,
@@ -140,7 +180,19 @@ std::vector<row<U>> rows() {
         {"beckmann D, anisotropic", inputs::normal_xy, 12, exponential,
          [](const U* x) { return U(beckmann{alpha_xy<U>(x[0], x[1])}.D(at(x + 2))); }},
         {"beckmann projected_area", inputs::view, 4, ulp, [](const U* x) { return U(beckmann{alpha<U>(x[0])}.projected_area(at(x + 2))); }},
-        {"sggx D, axes along x, y, z", inputs::normal_xy, 16, ulp, [](const U* x) { return U(lobe::sggx{alpha_xy<U>(x[0], x[1])}.D(at(x + 2))); }},
+        {"blinn_phong D", inputs::normal, 12, exponential, [](const U* x) { return U(lobe::blinn_phong{alpha<U>(x[0])}.D(at(x + 2))); }},
+        {"student_t D, gamma = 7/4", inputs::normal_xy, 10, exponential,
+         [](const U* x) {
+             return U(lobe::student_t{alpha_xy<U>(x[0], x[1]), number<U>(1.75)}.D(at(x + 2)));
+         }},
+        {"exponential_power D, p = 1/2", inputs::normal, 12, exponential,
+         [](const U* x) { return density(lobe::exponential_power_shape<U>(number<U>(0.5)), x); }},
+        {"gtr D, gamma = 3/2", inputs::normal, 12, exponential,
+         [](const U* x) { return density(lobe::gtr_shape<U>(x[0], number<U>(1.5)), x); }},
+        {"abc D, C = 3/2", inputs::normal, 12, exponential,
+         [](const U* x) { return density(lobe::abc_shape<U>(x[0], number<U>(1.5)), x); }},
+        {"sggx D, axes along x, y, z", inputs::normal_xy, 16, ulp,
+         [](const U* x) { return U(lobe::sggx{alpha_xy<U>(x[0], x[1])}.D(at(x + 2))); }},
         {"sggx projected_area, axes along x, y, z", inputs::view_xy, 4, ulp,
          [](const U* x) { return U(lobe::sggx{alpha_xy<U>(x[0], x[1])}.projected_area(at(x + 2))); }},
         {"smith_direction_correlated visibility", inputs::pair, 6, ulp,
@@ -154,6 +206,9 @@ std::vector<row<U>> rows() {
          }},
         {"v_cavity visibility", inputs::pair, 6, ulp,
          [](const U* x) { return U(lobe::v_cavity{}.visibility(ggx{alpha<U>(x[0])}, at(x + 2), at(x + 5))); }},
+        {"smith_correlated visibility, beckmann", inputs::pair, 8, ulp,
+         [](const U* x) { return U(smith_correlated{}.visibility(beckmann{alpha<U>(x[0])}, at(x + 2), at(x + 5))); }},
+        {"fon_loss", inputs::view, 8, ulp, [](const U* x) { return U(lobe::fon_loss{}(at(x + 2))); }},
         {"burley f, roughness 1/2", inputs::pair, 12, ulp,
          [](const U* x) {
              return U(lobe::burley{number<U>(0.5), number<U>(0.5)}.f(at(x + 2), at(x + 5)));
@@ -161,6 +216,31 @@ std::vector<row<U>> rows() {
         {"frame, t.x", inputs::direction, 4, of_1, [](const U* x) { return U(lobe::frame<U>(at(x)).t.x); }},
         {"frame, t.y", inputs::direction, 2, of_1, [](const U* x) { return U(lobe::frame<U>(at(x)).t.y); }},
         {"frame, b.y", inputs::direction, 4, of_1, [](const U* x) { return U(lobe::frame<U>(at(x)).b.y); }},
+        {"square_to_uniform_disk", inputs::square, 3e-7, radius, nullptr, 3e-7,
+         [](const U* x) { return on_plane(lobe::square_to_uniform_disk(square(x))); }},
+        {"square_to_uniform_disk_concentric", inputs::square, 3e-7, radius, nullptr, 3e-7,
+         [](const U* x) { return on_plane(lobe::square_to_uniform_disk_concentric(square(x))); }},
+        {"square_to_uniform_hemisphere", inputs::square, 3e-7, radian, nullptr, 3e-7,
+         [](const U* x) { return lobe::square_to_uniform_hemisphere(square(x)); }},
+        {"square_to_cosine_hemisphere", inputs::square, 3e-7, radian, nullptr, 3e-7,
+         [](const U* x) { return lobe::square_to_cosine_hemisphere(square(x)); }},
+        {"square_to_cosine_hemisphere_concentric", inputs::square, 3e-7, radian, nullptr, 3e-7,
+         [](const U* x) { return lobe::square_to_cosine_hemisphere_concentric(square(x)); }},
+        {"ggx sample", inputs::square_of, 3e-7, radian, nullptr, 3e-7, [](const U* x) { return ggx{alpha<U>(x[0])}.sample(square(x)); }},
+        {"ggx sample, anisotropic", inputs::square_of_xy, 3e-7, radian, nullptr, 3e-7,
+         [](const U* x) { return ggx{alpha_xy<U>(x[0], x[1])}.sample(square(x)); }},
+        {"ggx sample_visible", inputs::seen, 2e-3, radian, nullptr, 1e-6,
+         [](const U* x) { return ggx{alpha<U>(x[0])}.sample_visible(at(x + 4), square(x)); }},
+        {"ggx sample_visible, anisotropic", inputs::seen_xy, 2e-3, radian, nullptr, 1e-6,
+         [](const U* x) { return ggx{alpha_xy<U>(x[0], x[1])}.sample_visible(at(x + 4), square(x)); }},
+        {"ggx sample_visible, from below", inputs::seen_below, 2e-3, radian, nullptr, 1e-6,
+         [](const U* x) { return ggx{alpha<U>(x[0])}.sample_visible(at(x + 4), square(x)); }},
+        {"visible_heitz2018", inputs::seen, 4e-7, radian, nullptr, 4e-7,
+         [](const U* x) { return lobe::visible_heitz2018{}.sample(ggx{alpha<U>(x[0])}, at(x + 4), square(x)); }},
+        {"visible_bounded_caps", inputs::seen, 2e-3, radian, nullptr, 1e-6,
+         [](const U* x) { return lobe::visible_bounded_caps{}.sample(ggx{alpha<U>(x[0])}, at(x + 4), square(x)); }},
+        {"beckmann sample", inputs::square_of, 3e-7, radian, nullptr, 3e-7,
+         [](const U* x) { return lobe::beckmann{alpha<U>(x[0])}.sample(square(x)); }},
     };
 }
 

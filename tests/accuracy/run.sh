@@ -30,16 +30,16 @@ fi
 {
     cat tests/accuracy/preface.md
     echo
-    echo "| function | type | region | worst | mean | \`lobe::vectorize\` | \`-ffast-math\` | promised | worst input |"
-    echo "|:--|:--|:--|--:|--:|--:|--:|--:|:--|"
+    echo "| function | type | region | unit | worst | 99.9 % | mean | \`lobe::vectorize\` | \`-ffast-math\` | promised | worst input |"
+    echo "|:--|:--|:--|:--|--:|--:|--:|--:|--:|--:|:--|"
     paste -d'|' "$out/default" "$out/vectorize" "$out/fast_math" | awk -F' *[|] *' '{
-        # every line holds eight fields, three times
-        input = $8; gsub(/( 0)+ *$/, "", input)
-        printf "| %s | %s | %s | %s | %s | %s | %s | %s | `%s` |\n", $1, $2, $3, $5, $6, $13, $21, $7, input }'
+        # every line holds ten fields, three times
+        input = $10; gsub(/( 0)+ *$/, "", input)
+        printf "| %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | `%s` |\n", $1, $2, $3, $9, $5, $6, $7, $15, $25, $8, input }'
     echo
     echo "## Every float"
     echo
-    echo "u runs over every $( ((stride == 1)) || echo "$stride-th ")float of [0,1]; the radical inverse over every $( ((stride == 1)) || echo "$stride-th ")index of 32 bits."
+    echo "u runs over every $( ((stride == 1)) || echo "$stride-th ")float of [0,1]; the radical inverse over every $( ((stride == 1)) || echo "$stride-th ")index of 32 bits. The truth is the formula in double."
     echo
     echo "| function of u | values | worst | mean | \`-ffast-math\` | promised | worst u |"
     echo "|:--|--:|--:|--:|--:|--:|:--|"

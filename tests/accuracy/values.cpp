@@ -7,17 +7,20 @@ namespace accuracy {
 namespace {
 
 template <class T>
-double value(int row, const double* x) {
+result evaluated(int row, const double* x) {
     static const auto all = rows<T>();
+    const auto& r = all[static_cast<std::size_t>(row)];
     T in[8];
     for (int i = 0; i < 8; ++i) in[i] = static_cast<T>(x[i]);
-    return static_cast<double>(all[static_cast<std::size_t>(row)].value(in));
+    if (!r.direction) return {static_cast<double>(r.value(in))};
+    const vec3<double> w(r.direction(in));
+    return {w.x, w.y, w.z};
 }
 
 }  // namespace
 
-double value_in_float(int row, const double* x) { return value<float>(row, x); }
-double value_in_double(int row, const double* x) { return value<double>(row, x); }
+result value_in_float(int row, const double* x) { return evaluated<float>(row, x); }
+result value_in_double(int row, const double* x) { return evaluated<double>(row, x); }
 
 void sweep_values(int function, const float* u, float* values, std::size_t n) {
     const auto f = functions_of_one_number<float>()[static_cast<std::size_t>(function)].value;

@@ -157,7 +157,7 @@ public:
         requires samplable_brdf<Base>
     {
         const auto s = base.sample(v, u);
-        return {s.l, s.weight * left(v, s.l), s.pdf};
+        return {s.l, s.weight * left(select(s.pdf > T(0), v, s.l), s.l), s.pdf};  // failed: a view that may be a NaN, weight 0
     }
 
     /// The base's, times what is left of light along the normal: for 1 - F(v.h) nearer to the truth than 1 - F(n.v).

@@ -228,8 +228,10 @@ private:
             x = select(here, T(2), T(1) - (T(1) - x) / select(p < T(1), T(1) - p, T(1)));  // (x - p)/(1 - p), which may round to 1
         };
         (keep(std::get<i>(lobes).sample(v, {stretched(q[i]), u.y}), q[i]), ...);
-        const auto e = evaluate(q, v, l, every_lobe);
-        const auto valid = chosen_pdf > T(0) && e.pdf > T(0);
+        // A failed sample is looked at from n, as 0 times the NaN of a NaN view would be a NaN. (Of which v.v > 0 says that it is none.)
+        const auto drawn = chosen_pdf > T(0) && dot(v, v) > T(0);
+        const auto e = evaluate(q, select(drawn, v, n), select(drawn, l, n), every_lobe);
+        const auto valid = drawn && e.pdf > T(0);
         return {select(valid, l, n), e.f_cos * select(valid, quotient(T(1), e.pdf), T(0)), select(valid, e.pdf, T(0))};
     }
 

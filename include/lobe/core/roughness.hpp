@@ -8,14 +8,16 @@
 namespace lobe {
 
 /// The width alpha of an isotropic distribution (Walter et al. 2007): the scale of its slopes.
-/// Precondition: alpha > 0. Artists' roughness is converted by name, and a floor is written where the number is born.
+/// Precondition: alpha > 0, finite. Artists' roughness is converted by name, and a floor is written where the number is born.
 template <scalar T>
 class alpha {
 public:
     using scalar = T;
     static constexpr bool isotropic = true;
 
-    constexpr explicit alpha(const T& value) : a(value) { assert(all(a > T(0)) && "alpha must be above 0"); }
+    constexpr explicit alpha(const T& value) : a(value) {
+        assert(all(a > T(0)) && all(detail::finite(a)) && "alpha must be above 0 and finite");
+    }
 
     /// alpha = r^2 (Burley 2012, "Physically-Based Shading at Disney", section 5.4).
     static constexpr alpha from_roughness(const T& r) { return alpha(r * r); }
@@ -47,8 +49,8 @@ private:
 };
 
 /// The widths of an anisotropic distribution along the tangent and the bitangent.
-/// Precondition: both > 0. The makers below take the artists' roughness r in [0,1] and a degree of anisotropy, 0 for none; r = 0 and
-/// the far end of two of the degrees mean a width of 0, so each comes with a floor as well, for parameters from textures.
+/// Precondition: both > 0, finite. The makers below take the artists' roughness r in [0,1] and a degree of anisotropy, 0 for none; r = 0
+/// and the far end of two of the degrees mean a width of 0, so each comes with a floor as well, for parameters from textures.
 template <scalar T>
 class alpha_xy {
 public:
@@ -56,8 +58,8 @@ public:
     static constexpr bool isotropic = false;
 
     constexpr alpha_xy(const T& along_x, const T& along_y) : ax(along_x), ay(along_y) {
-        assert(all(ax > T(0)) && "alpha_xy: both widths must be above 0");
-        assert(all(ay > T(0)) && "alpha_xy: both widths must be above 0");
+        assert(all(ax > T(0)) && all(detail::finite(ax)) && "alpha_xy: both widths must be above 0 and finite");
+        assert(all(ay > T(0)) && all(detail::finite(ay)) && "alpha_xy: both widths must be above 0 and finite");
     }
 
     static constexpr alpha_xy at_least(const T& along_x, const T& along_y, const T& floor) {

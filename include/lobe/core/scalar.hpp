@@ -49,6 +49,12 @@ constexpr T min(const T& a, const T& b) {
 
 namespace detail {
 
+/// Neither infinite nor a NaN, in each lane: inf - inf is a NaN, which is not below 1.
+template <scalar T>
+constexpr auto finite(const T& x) {
+    return x - x < T(1);
+}
+
 template <class T>
 struct lane {
     using type = T;

@@ -60,7 +60,7 @@ class dfg_table {
 public:
     dfg_terms<T> operator()(const T& cosine, const alpha<T>& a) const {
         using std::sqrt;
-        const T mu = max(T(0), cosine);  // in this order, which takes a NaN to 0
+        const T mu = min(max(T(0), cosine), T(1));  // in this order, which takes a NaN to 0
         const T r = sqrt(a.value()), row = sqrt(r);
         const T E = albedo(detail::dfg_axes<T>::column(mu, r), row);
         const T A = min(scale(sqrt(sqrt(mu)), row), E);

@@ -81,9 +81,11 @@ struct beckmann_shape {
 
 /// Beckmann: D = exp(-tan^2/alpha^2) / (pi alpha^2 cos^4), isotropic from `alpha`, anisotropic from `alpha_xy`. alpha = sqrt(2) times
 /// the rms slope. Beckmann & Spizzichino 1963; Cook & Torrance 1982; Walter et al. 2007, eq. 25; Lambda: Heitz 2014, eq. 68.
-/// Domain: alpha > 0, any direction. D in 1/sr; where it underflows it is zero.
-/// Error of D: 12 (1 + |ln(D pi ax ay)|) ULP; of the projected area: 4 ULP; of Lambda in double:
-/// relative 4e-14 for cot/alpha <= 8, zero where it underflows.
+/// Domain: alpha (of `alpha_xy` the product) from 1e-19 in float, 1e-150 in double, whose square is a number; any direction. D in 1/sr;
+/// where it underflows it is zero.
+/// Error of D: 12 (1 + |ln(D pi ax ay)|) ULP; of the projected area: 4 ULP; of Lambda in double: relative 4e-14 for cot/alpha <= 8, in
+/// float 3e-5, zero where it underflows. Below the horizon the area is a difference, in float off by 3e-7 (1 + cot^2/alpha^2)^2, as is
+/// the density of the normals visible from there: 7e-4 at cot/alpha = 9, where the area is 1e-37; in double by 1e-12.
 template <scalar T, class Width = alpha<T>>
 class beckmann : public radial<beckmann_shape<T>, Width> {
 public:

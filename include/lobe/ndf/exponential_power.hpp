@@ -73,11 +73,11 @@ using exponential_power_profile = radial_profile<tabulated<exponential_power_sha
 /// EPD, or generalised Beckmann: D = exp(-(tan^2/alpha^2)^p) / (pi alpha^2 Gamma(1 + 1/p) cos^4), isotropic from `alpha`, anisotropic
 /// from `alpha_xy`. Holzschuch & Pacanowski 2017, "A Two-Scale Microfacet Reflectance Model Combining Reflection and
 /// Diffraction"; Hoffman 2016. p = 1 is Beckmann. Some sources write 2p or p/2 for this p.
-/// Domain: alpha > 0, p in (0, 50] (areas tested from 1/4 to 4). D in 1/sr. Scalar types only. The constructor builds a table of
+/// Domain: alpha as `beckmann`, p in (0, 50] (areas tested from 1/4 to 4). D in 1/sr. Scalar types only. The constructor builds a table of
 /// the projected area, in half a millisecond; to build it once for every width:
 ///   const exponential_power_profile<float> profile{tabulated<exponential_power_shape<float>, float>{exponential_power_shape{p}}};
 ///   const stretched ndf{shared{profile}, alpha{a}};
-/// Error of D: 10 max(1, p) (1 + (tan^2/alpha^2)^p) ULP; of the projected area: 4e-6 of that along the horizon.
+/// Error of D: 12 max(1, p) (1 + (tan^2/alpha^2)^p) ULP; of the projected area: 4e-6 of that along the horizon.
 template <scalar T, class Width = alpha<T>>
 class exponential_power : public radial<tabulated<exponential_power_shape<T>, T>, detail::width_in_t<Width, T>> {
     using shape = tabulated<exponential_power_shape<T>, T>;

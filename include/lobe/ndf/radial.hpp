@@ -193,7 +193,8 @@ public:
 /// A shape without a closed `back`, and a table of it: cubic Hermite between values and slopes at `panels` + 1 nodes in
 /// w = q/(1 + q), q = sqrt(a/scale), from the horizon (w = 0) to the normal (w = 1), where it holds the limits.
 /// Build it once, not per pixel: about half a millisecond. Scalar types only.
-/// Error of a projected area: 3e-6 of the one along the horizon, or as the distribution says.
+/// Error of a projected area: 3e-6 of the one along the horizon where the slopes span less than four powers of ten, or as the distribution
+/// says: `gtr` and `abc` at alpha = 1e-4 are off by 4e-5.
 template <class Shape, detail::single T, int panels = 96>
 class tabulated : public Shape {
 public:

@@ -49,13 +49,14 @@ public:
 
     constexpr vec2<T> width() const { return {size.x(), size.y()}; }
 
-    /// A normal with density D(m) cos(theta_m); u in [0,1)^2. (Inlined by force, as is `sample_visible`: a loop with a call does not
-    /// vectorise.)
+    /// A normal with density D(m) cos(theta_m); u in [0,1)^2. Error, for GGX and Beckmann: 3e-7 radian in float, 6e-16 in double.
+    /// (Inlined by force, as is `sample_visible`: a loop with a call does not vectorise.)
     [[gnu::always_inline]] constexpr vec3<T> sample(const vec2<T>& u) const { return normalize(size.stretch(profile.sample(u))); }
     constexpr T pdf(const vec3<T>& m) const { return D(m) * m.z; }
 
     /// A normal seen from v, with density max(0, v.m) D(m) / projected_area(v); unit v, also below the horizon, where the
-    /// random walk looks up through the surface; u in [0,1)^2.
+    /// random walk looks up through the surface; u in [0,1)^2. Error for GGX in float: 1e-6 radian for 99.9 % of the square, 2e-3 at
+    /// most: towards one point of the edge u.x = 1, opposite the view, the map is ill-conditioned.
     [[gnu::always_inline]] constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const
         requires(requires(const Profile p) { p.sample_visible(v, u); })
     {

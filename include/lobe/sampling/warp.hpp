@@ -1,5 +1,6 @@
 // Maps from the unit square: the map, its density, its inverse. u.x is radial and u.y azimuthal, except in the
-// concentric maps, which keep the square's own axes. Densities of directions are in 1/sr.
+// concentric maps, which keep the square's own axes. Densities of directions are in 1/sr. Error: 3e-7 in float (radian; of the disk: of its
+// radius), 6e-16 in double.
 #pragma once
 
 #include <lobe/core/vector.hpp>
@@ -46,15 +47,16 @@ struct concentric_point {
     T edge;  // distance of the point's square ring from the edge: 0 at the rim, 1/2 at the centre
 };
 
-/// Shirley & Chiu 1997, "A Low Distortion Map Between Disk and Square": rings of the square become circles.
+/// Shirley & Chiu 1997, "A Low Distortion Map Between Disk and Square": rings of the square become circles. Which ring is told by the
+/// distances from the edges: near a corner 2 u - 1 is the same 1 for several u.
 template <scalar T>
 constexpr concentric_point<T> concentric(const vec2<T>& u) {
-    using std::abs;
     const T a = T(2) * u.x - T(1), b = T(2) * u.y - T(1);
-    const auto wide = abs(a) > abs(b);
-    const T r = select(wide, a, b), other = select(wide, b, a), along = select(wide, u.x, u.y);
+    const T edge_x = min(u.x, T(1) - u.x), edge_y = min(u.y, T(1) - u.y);
+    const auto wide = edge_x < edge_y;
+    const T r = select(wide, a, b), other = select(wide, b, a);
     const auto [s, c] = sincos_2pi(other / select(r == T(0), T(1), r) * T(0.125f));
-    return {{r * select(wide, c, s), r * select(wide, s, c)}, min(along, T(1) - along)};
+    return {{r * select(wide, c, s), r * select(wide, s, c)}, min(edge_x, edge_y)};
 }
 
 }  // namespace detail
