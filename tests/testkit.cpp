@@ -206,6 +206,15 @@ TEST_CASE("adapters: functions apart, without the cosine, in world space", "[tes
 
     const auto coloured = [](glm::vec3, glm::vec3) { return glm::vec3(0.2f, 0.1f, 0.05f); };
     CHECK(verify(with_cosine(coloured)).passed());
+    struct three {  // spectra that cannot be multiplied
+        float r, g, b;
+    };
+    const auto own = [](float bright) { return with_cosine([=](glm::vec3, glm::vec3) { return three{0.2f, 0.1f, bright}; }); };
+    const auto array = [](double bright) { return with_cosine([=](glm::dvec3, glm::dvec3) { return std::array{0.2, bright}; }); };
+    CHECK(verify(own(0.3f)).passed());
+    CHECK(!verify(own(0.4f)).passed());
+    CHECK(verify(array(0.3)).passed());
+    CHECK(!verify(array(0.4)).passed());
 
     // Any order of parameters; the wrong one is found.
     const auto lambert = [](glm::vec3 n, glm::vec3 l, glm::vec3 v) {
@@ -213,6 +222,60 @@ TEST_CASE("adapters: functions apart, without the cosine, in world space", "[tes
     };
     CHECK(verify(in_world<argument::n, argument::l, argument::v>(lambert)).passed());
     CHECK(!verify(in_world<argument::n, argument::v, argument::l>(lambert)).passed());
+}
+
+TEST_CASE("a sampler or a pdf that does not fit is not passed over", "[testkit]") {
+    struct right {
+        float f_cos(glm::vec3 v, glm::vec3 l) const { return v.z > 0 && l.z > 0 ? 0.2f * l.z : 0.f; }
+    };
+    struct no_u : right {
+        sampled_light<float, float> sample(glm::vec3) const { return {}; }
+    };
+    struct a_pair : right {
+        std::pair<glm::vec3, float> sample(glm::vec3, glm::vec2) const { return {}; }
+    };
+    struct not_const : right {
+        sampled_light<float, float> sample(glm::vec3, glm::vec2) { return {}; }
+    };
+    struct pair_weight : right {
+        sampled_light<std::pair<float, float>, float> sample(glm::vec3, glm::vec2) const { return {}; }
+    };
+    struct two_of_them : right {
+        float sample(glm::vec3) const { return 0; }
+        float sample(glm::vec2) const { return 0; }
+    };
+    struct vector_pdf : right {
+        glm::vec3 pdf(glm::vec3, glm::vec3) const { return {}; }
+    };
+    const auto findings = [](const auto& b) {
+        std::string names;
+        for (const finding& f : verify(b).findings()) names += f.property + ";";
+        return names;
+    };
+    CHECK(findings(right{}).empty());
+    CHECK(findings(no_u{}) == "sample(v, u) can be called;");
+    CHECK(findings(a_pair{}) == "sample(v, u) can be called;");
+    CHECK(findings(not_const{}) == "sample(v, u) can be called;");
+    CHECK(findings(two_of_them{}) == "sample(v, u) can be called;");
+    CHECK(findings(vector_pdf{}) == "pdf(v, l) can be called;");
+    CHECK(findings([](glm::vec3 v, glm::vec3 l) { return right{}.f_cos(v, l); }).empty());
+    const auto f = [](glm::vec3 v, glm::vec3 l) { return right{}.f_cos(v, l); };
+    CHECK(findings(functions(f, [](glm::vec3) { return glm::vec3(0, 0, 1); })) == "sample(v, u) can be called;");
+    CHECK(findings(functions(f, no_sample{}, [](glm::vec3) { return 1; })) == "pdf(v, l) can be called;");
+    CHECK(findings(functions(f)).empty());
+    CHECK(findings(pair_weight{}) == "sample(v, u) can be called;");
+}
+
+TEST_CASE("a tolerance that makes no sense is refused", "[testkit]") {
+    for (const double senseless : {std::nan(""), -1e-3, 0.0, 1.0, double(INFINITY)}) {
+        options o;
+        o.tolerance = senseless;
+        for (const report& r : {verify(white{}, o), verify_fresnel([](double) { return 1.0; }, o),
+                                verify_distribution([](const glm::dvec3& m) { return m.z > 0 ? 1 / pi : 0; }, o)}) {
+            REQUIRE(r.findings().size() == 1);
+            CHECK(r.findings()[0].property == "options.tolerance is between 0 and 1");
+        }
+    }
 }
 
 TEST_CASE("claims: isotropy, zero below, and what is not reciprocal", "[testkit]") {

@@ -108,22 +108,23 @@ material<double> retro_reflector(double a) {
     return out;
 }
 
-/// f cos = cos^n about the mirror direction, bounded and symmetric by min(n.v, n.l).
+/// f cos = cos^n about the mirror direction, or about v itself, bounded and symmetric by min(n.v, n.l).
 template <class T>
-material<T> phong(T n) {
+material<T> phong(T n, bool retro = false) {
     using vec = vec3<T>;
     material<T> out;
-    const auto density = [n](const vec& v, const vec& l) {
-        return (n + 1) / (2 * pi<T>)*std::pow(std::clamp(glm::dot(vec(-v.x, -v.y, v.z), l), T(0), T(1)), n);
+    const auto axis_of = [retro](const vec& v) { return retro ? v : vec(-v.x, -v.y, v.z); };
+    const auto density = [n, axis_of](const vec& v, const vec& l) {
+        return (n + 1) / (2 * pi<T>)*std::pow(std::clamp(glm::dot(axis_of(v), l), T(0), T(1)), n);
     };
     out.pdf = [density](const vec& v, const vec& l) { return above(v, l) ? density(v, l) : T(0); };
     out.f_cos = [density](const vec& v, const vec& l) {
         return above(v, l) ? density(v, l) * l.z * std::min(v.z, l.z) / std::max(v.z, l.z) : T(0);
     };
-    out.sample = [n, density](const vec& v, const vec2<T>& u) {
+    out.sample = [n, axis_of, density](const vec& v, const vec2<T>& u) {
         typename material<T>::drawn s;
         if (!(v.z > 0)) return s;
-        const vec axis(-v.x, -v.y, v.z);
+        const vec axis = axis_of(v);
         const vec t = glm::normalize(glm::cross(axis, std::abs(axis.z) < T(0.9) ? vec(0, 0, 1) : vec(1, 0, 0)));
         const T tilt = std::pow(1 - u.x, 1 / (n + 1)), side = std::sqrt(std::max(T(0), 1 - tilt * tilt)), phi = 2 * pi<T> * u.y;
         const vec l = side * std::cos(phi) * t + side * std::sin(phi) * glm::cross(axis, t) + tilt * axis;
@@ -602,7 +603,11 @@ void wrong_samplers(trials& t) {
                         if (u.y < 0.1) s = {};
                     }),
           "integral of the pdf");
-    t.add("reflected at -m", resampled(glossy, [](const V&, const U&, drawn& s) { s.l = -s.l; }), "sample vanishes below");
+    t.add("reflected at -m", resampled(glossy, [](const V&, const U&, drawn& s) { s.l = -s.l; }), "sample vanishes below", "reflect(i, m)");
+    t.add("reflected to the side of v", resampled(glossy, [](const V&, const U&, drawn& s) { s.l = V(-s.l.x, -s.l.y, s.l.z); }),
+          "weight * pdf", "(-x, -y, z)");
+    t.add("y of the samples has the wrong sign", resampled(glossy, [](const V&, const U&, drawn& s) { s.l.y = -s.l.y; }), "chi-squared",
+          "(x, -y, z)");
     t.add("failed samples with a weight",
           without_pdf(resampled(glossy,
                                 [](const V&, const U&, drawn& s) {
@@ -825,6 +830,9 @@ std::vector<trial> right_ones() {
     t.add("retro-reflector 0.02", without_sample(retro_reflector(0.02)));
     t.add("Phong 5000", phong(5000.0));
     t.add("Phong 5000, float", phong(5000.0f));
+    t.add("Phong 100000, float", phong(100000.0f));
+    t.add("retro-reflecting Phong 20000, float", phong(20000.0f, true));
+    t.add("retro-reflecting Phong 100000, float", phong(100000.0f, true));
     t.add("Phong 100000", phong(100000.0));
     t.add("Phong 50", phong(50.0));
     t.add("black and blue", tinted<double>(ggx(0.2), V(0, 0, 0.7)));
@@ -920,6 +928,17 @@ std::vector<trial> misused_ones() {
     mirror.pdf = mirror.f_cos;
     mirror.sample = [](const V& v, const U&) { return drawn{V(-v.x, -v.y, v.z), 1, 0}; };
     t.add("a perfect mirror", mirror, "no light without a density", "perfect mirror");
+    mirror.sample = [](const V& v, const U&) { return drawn{V(-v.x, -v.y, v.z), 1, 1}; };
+    t.add("a perfect mirror of density 1", mirror, "weight * pdf", "100 % of the samples");
+    material<double> glazed_mirror = lambert(0.5);
+    glazed_mirror.pdf = [p = glazed_mirror.pdf](const V& v, const V& l) { return p(v, l) / 2; };
+    glazed_mirror.sample = [below = glazed_mirror.sample](const V& v, const U& u) {
+        auto s = below(v, {u.x < 0.5 ? 2 * u.x : 2 * u.x - 1, u.y});
+        if (u.x < 0.5 && v.z > 0) s.l = V(-v.x, -v.y, v.z);
+        s.pdf /= 2;
+        return s;
+    };
+    t.add("a perfect mirror on Lambert", glazed_mirror, "integral of the pdf", "50 % of the samples");
     t.add(
         "NaN in every part",
         [&] {
@@ -944,8 +963,10 @@ std::vector<trial> misused_ones() {
         *state = *state * 1664525u + 1013904223u;
         return static_cast<double>(*state) * 0x1p-32;
     });
-    t.add("every sample the same l", resampled(lambert(0.5), [](const V&, const U&, drawn& s) { s.l = V(0, 0.6, 0.8); }));
-    t.add("every sample fails", resampled(lambert(0.5), [](const V&, const U&, drawn& s) { s = {}; }));
+    t.add("every sample the same l", resampled(lambert(0.5), [](const V&, const U&, drawn& s) { s.l = V(0, 0.6, 0.8); }), "samples follow",
+          "one and the same direction");
+    t.add("every sample fails", resampled(lambert(0.5), [](const V&, const U&, drawn& s) { s = {}; }), "integral of the pdf",
+          "most samples fail");
     t.add("takes degrees of cosines: reads l.z only", [](const V&, const V& l) { return l.z; });
     return t.all;
 }

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <lobe/core/frame.hpp>
+#include <lobe/testkit/subject.hpp>
 
-#include <tuple>
+#include <array>
 #include <type_traits>
 #include <utility>
 
@@ -13,26 +14,46 @@ namespace lobe::testkit {
 /// none.
 struct no_sample {};
 
-template <class F, class Sample = no_sample, class Pdf = no_sample>
-struct functions {
-    F f;
+namespace detail {
+
+template <class Sample>
+struct sampling_part {
     Sample draw;
-    Pdf density;
-
-    explicit functions(F f_cos_of, Sample sample_of = {}, Pdf pdf_of = {})
-        : f(std::move(f_cos_of)), draw(std::move(sample_of)), density(std::move(pdf_of)) {}
-
-    template <class V>
-    auto f_cos(const V& v, const V& l) const -> decltype(f(v, l)) {
-        return f(v, l);
-    }
     template <class V, class U>
     auto sample(const V& v, const U& u) const -> decltype(draw(v, u)) {
         return draw(v, u);
     }
+};
+template <class Pdf>
+struct density_part {
+    Pdf density;
     template <class V>
     auto pdf(const V& v, const V& l) const -> decltype(density(v, l)) {
         return density(v, l);
+    }
+};
+// Without a function, without the name of one.
+template <>
+struct sampling_part<no_sample> {
+    no_sample none;
+};
+template <>
+struct density_part<no_sample> {
+    no_sample none;
+};
+
+}  // namespace detail
+
+template <class F, class Sample = no_sample, class Pdf = no_sample>
+struct functions : detail::sampling_part<Sample>, detail::density_part<Pdf> {
+    F f;
+
+    explicit functions(F f_cos_of, Sample sample_of = {}, Pdf pdf_of = {})
+        : detail::sampling_part<Sample>{std::move(sample_of)}, detail::density_part<Pdf>{std::move(pdf_of)}, f(std::move(f_cos_of)) {}
+
+    template <class V>
+    auto f_cos(const V& v, const V& l) const -> decltype(f(v, l)) {
+        return f(v, l);
     }
 };
 
@@ -44,30 +65,22 @@ struct sampled_light {
     T pdf;
 };
 
-/// The number that S consists of: a float spectrum is multiplied by a float.
-template <class S>
-struct component_of {
-    using type = double;
-};
-template <class S>
-    requires std::is_arithmetic_v<S>
-struct component_of<S> {
-    using type = S;
-};
-template <class S>
-    requires requires { typename S::value_type; }
-struct component_of<S> {
-    using type = typename S::value_type;
-};
-template <class S>
-using component = typename component_of<S>::type;
-
-/// f(v,l) without the cosine as f_cos(v,l) = f cos(theta_l), zero below the horizon. The type of the vectors is that of the call.
+/// f(v,l) without the cosine as f_cos(v,l) = f cos(theta_l), zero below the horizon: the numbers of the spectrum, which need not know how
+/// to multiply. The type of the vectors is that of the call.
 template <class F>
 auto with_cosine(F f) {
-    return [f = std::move(f)]<class T>(const vec3<T>& v, const vec3<T>& l) {
+    return [f = std::move(f)]<class T>(const vec3<T>& v, const vec3<T>& l) requires requires { f(v, l); }
+    {
         using S = std::remove_cvref_t<decltype(f(v, l))>;
-        return l.z > T(0) && v.z > T(0) ? S(f(v, l) * static_cast<component<S>>(l.z)) : S(0);
+        if constexpr (detail::is_spectrum<S>) {  // else `verify` says so
+            using number = detail::scalar_of_spectrum<S>;
+            std::array<number, detail::spectrum<S>::size> out{};
+            if (!(l.z > T(0) && v.z > T(0))) return out;
+            const S s = f(v, l);
+            for (std::size_t i = 0; i < out.size(); ++i)
+                out[i] = static_cast<number>(detail::spectrum<S>::get(s, i)) * static_cast<number>(l.z);
+            return out;
+        }
     };
 }
 

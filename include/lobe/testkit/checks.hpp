@@ -16,6 +16,16 @@ struct budget {
 };
 inline budget budget_of(effort e) { return e == effort::quick ? budget{9, 4096, 96, 24000, 3e-4} : budget{32, 100000, 384, 200000, 5e-5}; }
 
+/// A report, already failed where the options make no sense.
+inline report opened(const options& o) {
+    report r(o.name);
+    if (!(o.tolerance > 0 && o.tolerance < 1))
+        r.add({{"options.tolerance is between 0 and 1", o.tolerance, 2e-3, 0, "",
+                "it is the relative error that counts; with this one nothing can be verified"},
+               false});
+    return r;
+}
+
 /// Of a furnace, or of a share of samples: less than this is neither lost nor gained.
 inline constexpr double least_that_counts = 1e-4;
 
@@ -309,8 +319,10 @@ public:
 
     density_check(const std::string& pdf, const std::string& samples, const options& o, int views)
         : pdf_(pdf), samples_(samples),
-          total("integral of " + pdf + " = successes", "it is not the density of these samples: a factor or a Jacobian is wrong"),
-          means("means of " + samples + " = means of " + pdf, "the samples are wider, narrower or more tilted than the density says"),
+          total("integral of " + pdf + " = successes",
+                "it is not the density of these samples: a factor or a Jacobian is wrong, or samples fail that it counts"),
+          means("means of " + samples + " = means of " + pdf,
+                "the samples are wider, narrower, more tilted or more to one side than the density says"),
           budget_(budget_of(o.effort)), tolerance(o.tolerance), tests(2 * views) {}
 
 private:

@@ -63,7 +63,8 @@ public:
     }
 
     /// Cuts the cells that carry half of the error, until the error of every driving integral is below `tolerance`, relative to itself (the
-    /// first `colours` of them, which are the colours of one thing, to the largest); or until the evaluations are spent.
+    /// first `colours` of them, which are the colours of one thing, to the largest); or until the evaluations are spent, be it on rounding
+    /// that no cut makes smaller. The cells are graded in either case.
     void refine(double tolerance, std::size_t colours, long max_evaluations) {
         for (;;) {
             sum_up();
@@ -77,7 +78,7 @@ public:
                 done = true;
                 for (std::size_t k = 0; k < driving; ++k) done = done && !open(k);
             }
-            if (done && (evaluations_ >= max_evaluations || !grade())) return;
+            if (done && !grade()) return;
             if (done) continue;
 
             std::vector<std::pair<double, std::size_t>> by_error;

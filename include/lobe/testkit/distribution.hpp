@@ -99,12 +99,13 @@ public:
     }
 
     report verdict() {
+        report all = opened(options_);
+        if (!all.passed()) return all;
         attempt([&] { sweep(); });
         attempt([&] { normalisation(); });
         attempt([&] { areas(); });
         attempt([&] { all_normals(); });
         attempt([&] { visible_normals(); });
-        report all(options_.name);
         all.add({{"D is not always 0", largest, largest, 0, "", "D returned 0 for every normal: nothing can be verified"}, largest > 0});
         of_D.report_to(all);
         if (n.area) of_area.report_to(all, false);

@@ -7,11 +7,16 @@ namespace lobe::testkit {
 
 namespace detail {
 
+template <class F, class T>
+concept fresnel_fits = requires(const F f, const T cosine) {
+    requires is_spectrum<std::remove_cvref_t<decltype(f(cosine))>>;
+};
+
 template <class F>
 auto scalar_of_fresnel() {
     if constexpr (requires(const F f) { f(1.0); }) {
         using value = std::remove_cvref_t<decltype(std::declval<const F&>()(1.0))>;
-        return std::conditional_t<std::is_same_v<typename spectrum<value>::scalar, float>, float, double>{};
+        return scalar_of_spectrum<value>{};
     } else {
         return float{};
     }
@@ -28,7 +33,8 @@ public:
     fresnel_judge(const F& judged, const options& o) : f(judged), options_(o) {}
 
     report verdict() {
-        report r(options_.name);
+        report r = opened(options_);
+        if (!r.passed()) return r;
         try {
             range(r);
             shape(r);
@@ -129,7 +135,12 @@ private:
 /// mean 2 int F(u) u du, where it exists.
 template <class F>
 [[nodiscard]] report verify_fresnel(const F& fresnel, const options& o = {}) {
-    return detail::fresnel_judge<F>(fresnel, o).verdict();
+    constexpr bool returns_a_spectrum = detail::fresnel_fits<F, double> || detail::fresnel_fits<F, float>;
+    static_assert(returns_a_spectrum, "F(cosine) returns no spectrum: a number, a GLM vector, what has begin() and end(), or r, g, b");
+    if constexpr (returns_a_spectrum)
+        return detail::fresnel_judge<F>(fresnel, o).verdict();
+    else
+        return report(o.name);
 }
 
 }  // namespace lobe::testkit

@@ -22,19 +22,20 @@ namespace detail {
 
 /// The number that a spectrum consists of, and how many: of a number, a GLM vector, anything with a size that [] reads, or r, g, b.
 template <class S>
-concept has_size = requires {
+concept has_size = requires(const S s) {
     std::tuple_size<S>::value;
+    static_cast<double>(s[0]);
 };
 template <class S>
 concept has_iterators = requires(const S s) {
-    s.begin();
-    s.end();
+    static_cast<double>(*s.begin());
+    s.end() - s.begin();
 };
 template <class S>
 concept has_rgb = requires(const S s) {
-    s.r;
-    s.g;
-    s.b;
+    static_cast<double>(s.r);
+    static_cast<double>(s.g);
+    static_cast<double>(s.b);
 };
 
 template <class S>
@@ -77,6 +78,14 @@ struct spectrum<S> {
     static double get(const S& s, std::size_t i) { return static_cast<double>(i == 0 ? s.r : i == 1 ? s.g : s.b); }
 };
 
+template <class S>
+concept is_spectrum = requires {
+    typename spectrum<S>::scalar;
+};
+/// Whether it is float or double that S is computed in.
+template <class S>
+using scalar_of_spectrum = std::conditional_t<std::is_same_v<typename spectrum<S>::scalar, float>, float, double>;
+
 template <class B, class V>
 concept has_f_cos = requires(const B& b, const V w) {
     b.f_cos(w, w);
@@ -94,14 +103,21 @@ decltype(auto) call_f_cos(const B& b, const V& v, const V& l) {
         return b(v, l);
 }
 
+template <class B, class V>
+concept has_any_f_cos = has_f_cos<B, V> || is_f_cos<B, V>;
+template <class B, class V>
+concept returns_spectrum = has_any_f_cos<B, V> && requires(const B& b, const V w) {
+    requires is_spectrum<std::remove_cvref_t<decltype(call_f_cos(b, w, w))>>;
+};
+
 /// `B::scalar` where given, else that of the value returned. (What takes double vectors may take float ones: GLM converts silently.)
 template <class B>
 auto scalar_of_brdf() {
     if constexpr (requires { typename B::scalar; }) {
         return typename B::scalar{};
-    } else if constexpr (has_f_cos<B, vec3<double>> || is_f_cos<B, vec3<double>>) {
+    } else if constexpr (has_any_f_cos<B, vec3<double>>) {
         using value = std::remove_cvref_t<decltype(call_f_cos(std::declval<const B&>(), vec3<double>{}, vec3<double>{}))>;
-        return std::conditional_t<std::is_same_v<typename spectrum<value>::scalar, float>, float, double>{};
+        return scalar_of_spectrum<value>{};
     } else {
         return float{};
     }
@@ -218,7 +234,9 @@ struct watch {
         return x;
     }
 
-    void report_to(report& r, bool says_below = true) const {
+    void report_to(
+        report& r, bool says_below = true,
+        const char* why_below = "light from below the horizon is reflected: the sign of a cosine is lost (abs) or never looked at") const {
         const auto share = [&](long n) {
             return " (" + number(100.0 * static_cast<double>(n) / static_cast<double>(std::max(calls, 1L)), "%.3g") + " % of the values)";
         };
@@ -230,9 +248,7 @@ struct watch {
                 "a cosine that is not clamped or checked, or a weight that turns negative" + share(negative)},
                negative == 0});
         if (says_below)
-            r.add({{what + " vanishes below", below_value, 0, 0, below ? below_place.text() : "",
-                    "light from below the horizon is reflected: the sign of a cosine is lost (abs) or never looked at" + share(below)},
-                   below == 0});
+            r.add({{what + " vanishes below", below_value, 0, 0, below ? below_place.text() : "", why_below + share(below)}, below == 0});
     }
 };
 
@@ -254,6 +270,27 @@ struct interface {
     std::function<drawn<T, N>(const vec3<T>& v, const vec2<T>& u)> sample;
     std::function<std::pair<values, double>(const vec3<T>& v, const vec3<T>& l)> evaluate;
     bool isotropic = false;
+    bool misfit_sample = false, misfit_pdf = false;  // there is a member of that name, but it cannot be called
+};
+
+/// Is there a member of that name, whatever its signature? A class that inherits it twice does not know which one is meant.
+struct named_sample {
+    int sample;
+};
+struct named_pdf {
+    int pdf;
+};
+template <class B, class Name>
+struct heir : B, Name {};
+template <class B>
+concept can_be_inherited = std::is_class_v<B> && !std::is_final_v<B>;
+template <class B>
+concept has_member_sample = can_be_inherited<B> && !requires {
+    &heir<B, named_sample>::sample;
+};
+template <class B>
+concept has_member_pdf = can_be_inherited<B> && !requires {
+    &heir<B, named_pdf>::pdf;
 };
 
 template <std::size_t N, class S>
@@ -276,15 +313,19 @@ auto interface_of(const B& b) {
                       { b.pdf(w, w) } -> std::convertible_to<double>;
                   })
         out.pdf = [&b](const V& v, const V& l) { return static_cast<double>(b.pdf(v, l)); };
+    else
+        out.misfit_pdf = has_member_pdf<B>;
     if constexpr (requires(const V w, const U u) {
-                      b.sample(w, u).l;
-                      b.sample(w, u).weight;
-                      b.sample(w, u).pdf;
+                      V(b.sample(w, u).l);
+                      requires is_spectrum<std::remove_cvref_t<decltype(b.sample(w, u).weight)>>;
+                      static_cast<double>(b.sample(w, u).pdf);
                   })
         out.sample = [&b](const V& v, const U& u) {
             const auto s = b.sample(v, u);
             return drawn<T, N>{V(s.l), as_values<N>(s.weight), static_cast<double>(s.pdf)};
         };
+    else
+        out.misfit_sample = has_member_sample<B>;
     if constexpr (requires(const V w) {
                       b.evaluate(w, w).f_cos;
                       b.evaluate(w, w).pdf;
@@ -349,6 +390,7 @@ public:
             if (!light_without_pdf++) light_place = last;
         }
         s.ok = s.pdf > 0 && s.l.z > 0;
+        if (v.z > 0) ++(s.ok ? good_samples : lost_samples);
         if (!s.ok) s.weight = {};
         return s;
     }
@@ -358,7 +400,7 @@ public:
     watch<T> of_f{"f_cos"}, of_pdf{"pdf"}, of_sample{"sample"};
     place<T> last{}, length_place{}, light_place{};
     double largest = 0, worst_length = 1;
-    long light_without_pdf = 0;
+    long light_without_pdf = 0, good_samples = 0, lost_samples = 0;
 };
 
 }  // namespace detail

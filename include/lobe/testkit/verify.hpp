@@ -18,12 +18,18 @@ public:
         : options_(o), budget_(budget_of(o.effort)), b(brdf, o.zero_below), isotropic(o.isotropic.value_or(brdf.isotropic)) {}
 
     report verdict() {
+        report all = opened(options_);
+        if (!all.passed()) return all;
         attempt([&] { sweep(); });
         attempt([&] { pairs(); });
         attempt([&] { views(); });
-        report all(options_.name);
+        misfits(all);
         values_of_calls(all);
-        for (const check& c : r.checks()) all.add(c);
+        const std::string clue = clue_of_samples();
+        for (check c : r.checks()) {
+            if (!clue.empty() && about_samples(c)) c.meaning = clue;
+            all.add(c);
+        }
         return all;
     }
 
@@ -63,6 +69,47 @@ private:
         }
     }
 
+    /// Members that cannot be called the way the kit calls them: a verdict without them is not the one that was asked for.
+    void misfits(report& all) const {
+        const char* otherwise = "; to verify f_cos alone, pass a lambda that calls it";
+        if (b.b.misfit_sample)
+            all.add(
+                {{"sample(v, u) can be called", 0, 1, 0, "",
+                  std::string("there is a member `sample`, not verified: it is not const, does not take two vectors of 3 and 2 numbers, or "
+                              "does not return l, weight and pdf") +
+                      otherwise},
+                 false});
+        if (b.b.misfit_pdf)
+            all.add(
+                {{"pdf(v, l) can be called", 0, 1, 0, "",
+                  std::string("there is a member `pdf`, not verified: it is not const, does not take two vectors of 3 numbers, or does not "
+                              "return a number") +
+                      otherwise},
+                 false});
+    }
+
+    /// Samples that go where they cannot be right: it explains whatever else is found of them.
+    std::string clue_of_samples() const {
+        if (one_direction > 0.1)
+            return number(100 * one_direction, "%.3g") +
+                   " % of the samples from one v are one and the same direction: a perfect mirror, or a lobe without width, which no "
+                   "density describes; give it a small roughness, or leave it out";
+        if (most_are_lost()) return lost;
+        for (std::size_t i = 0; i < std::size(turns); ++i)
+            if (turned_samples >= 20 && 10 * turned_right[i] > 9 * turned_samples)
+                return std::string("the weights fit l = ") + turns[i].name +
+                       " of the samples returned: they are reflected about another axis";
+        return "";
+    }
+    bool most_are_lost() const { return b.lost_samples > 4 * b.good_samples; }
+    static constexpr const char* lost = "most samples fail or point below the horizon: -l in the place of l (the reflect(i, m) of GLSL and "
+                                        "GLM wants i = -v), or light that "
+                                        "is transmitted, which is not judged here";
+    static bool about_samples(const check& c) {
+        return !c.passed && (c.property.find("sample") != std::string::npos || c.property.find("weight") != std::string::npos ||
+                             c.property.find("pdf = successes") != std::string::npos);
+    }
+
     /// What every call of every part has shown.
     void values_of_calls(report& all) const {
         all.add({{"f_cos is not always 0", b.largest, b.largest, 0, "",
@@ -74,7 +121,7 @@ private:
                  unsteady == 0});
         if (b.has_pdf()) b.of_pdf.report_to(all, false);
         if (b.has_sample()) {
-            b.of_sample.report_to(all);
+            b.of_sample.report_to(all, true, most_are_lost() ? lost : "a sample below the horizon carries light: its weight must be 0");
             const bool unit = std::abs(b.worst_length - 1) <= unit_tolerance;
             all.add({{"sampled directions are unit", b.worst_length, 1, unit_tolerance, unit ? "" : b.length_place.text(),
                       "a half vector that is not normalised, or a basis that is not orthonormal"},
@@ -277,8 +324,22 @@ private:
         const place<T> at{v, s.l, u, true, true};
         const values f = b.f_cos(v, s.l);
         for (std::size_t k = 0; k < channels; ++k) product.add(s.weight[k] * s.pdf, f[k], at, k);
+        try_turns(v, s, f);
         if (b.has_pdf()) same_pdf.add(b.pdf(v, s.l), s.pdf, at);
         return s;
+    }
+
+    /// Where the weight is another one: is it that of the direction turned, as by a wrong reflection?
+    void try_turns(const V& v, const drawn<T, channels>& s, const values& f) {
+        const auto is = [&](const values& g) {
+            for (std::size_t k = 0; k < channels; ++k)
+                if (!(std::abs(s.weight[k] * s.pdf - g[k]) <= 0.02 * g[k])) return false;
+            return true;
+        };
+        if (turned_samples == 1000 || is(f)) return;
+        ++turned_samples;
+        for (std::size_t i = 0; i < std::size(turns); ++i)
+            turned_right[i] += is(b.b.f_cos(v, {T(turns[i].x) * s.l.x, T(turns[i].y) * s.l.y, s.l.z}));
     }
 
     /// ... of n^2 of them, one at random in each of the n^2 squares. Returns where some lie in the chart.
@@ -292,6 +353,8 @@ private:
             const auto s = compare_sample(v, {below_one<T>(x), below_one<T>(y)});
             if (s.ok && i % stride == 0) some.push_back(chart.find(vec3<double>(s.l)));
         }
+        for (const auto& p : some)
+            one_direction = std::max(one_direction, double(std::count(some.begin(), some.end(), p)) / static_cast<double>(n * n / stride));
         return some;
     }
 
@@ -381,6 +444,13 @@ private:
     comparison<T> product{"weight * pdf = f_cos", options_.tolerance, "the weight of a sample is not f_cos / pdf"};
     comparison<T> same_pdf{"pdf(v, sample.l) = sample.pdf", options_.tolerance,
                            "sample and pdf are two formulas: another width, another measure, or another lobe"};
+    double one_direction = 0;  // the largest share of samples from one view that are equal
+    struct axis_change {
+        const char* name;
+        int x, y;
+    };
+    static constexpr axis_change turns[] = {{"(-x, -y, z)", -1, -1}, {"(-x, y, z)", -1, 1}, {"(x, -y, z)", 1, -1}};
+    long turned_samples = 0, turned_right[std::size(turns)] = {};
     long unsteady = 0;
     place<T> unsteady_at{};
     report r{""};
@@ -394,7 +464,15 @@ private:
 /// pdf, and `pdf(v, l)` are verified where they exist, each on its own.
 template <class B>
 [[nodiscard]] report verify(const B& brdf, const options& o = {}) {
-    return detail::judge(detail::interface_of(brdf), o).verdict();
+    using detail::has_any_f_cos, detail::returns_spectrum;
+    constexpr bool callable = has_any_f_cos<B, vec3<double>> || has_any_f_cos<B, vec3<float>>;
+    static_assert(callable, "no f_cos(v, l), nor a call (v, l), that is const and takes glm::vec3 or glm::dvec3");
+    constexpr bool fits = returns_spectrum<B, vec3<double>> || returns_spectrum<B, vec3<float>>;
+    static_assert(fits || !callable, "f_cos returns no spectrum: a number, a GLM vector, what has begin() and end(), or r, g, b");
+    if constexpr (fits)
+        return detail::judge(detail::interface_of(brdf), o).verdict();
+    else
+        return report(o.name);
 }
 
 }  // namespace lobe::testkit
