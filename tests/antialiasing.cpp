@@ -51,7 +51,7 @@ slope_matrix<double> matrix_of(const lobe::oriented_width<double>& o) {
 }
 
 double distance(const slope_matrix<double>& a, const slope_matrix<double>& b) {
-    return std::max({std::abs(a.xx - b.xx), std::abs(a.xy - b.xy), std::abs(a.yy - b.yy)});
+    return larger({std::abs(a.xx - b.xx), std::abs(a.xy - b.xy), std::abs(a.yy - b.yy)});
 }
 
 }  // namespace
@@ -67,15 +67,15 @@ TEST_CASE("the average of Beckmann surfaces is the Beckmann surface of the added
             const double average =
                 average_over_gaussian(C, [&](double bx, double by) { return beckmann_slopes(base.x(), base.y(), x - bx, y - by); });
             const double u = x * wide.tangent.x + y * wide.tangent.y, w = y * wide.tangent.x - x * wide.tangent.y;
-            worst = std::max(worst, std::abs(average / beckmann_slopes(wide.width.x(), wide.width.y(), u, w) - 1));
+            worst = larger(worst, std::abs(average / beckmann_slopes(wide.width.x(), wide.width.y(), u, w) - 1));
             const double even =
                 average_over_gaussian({0.03, 0, 0.03}, [&](double bx, double by) { return beckmann_slopes(0.25, 0.25, x - bx, y - by); });
             const double a = lobe::widened(isotropic, 0.03).value();
-            worst = std::max(worst, std::abs(even / beckmann_slopes(a, a, x, y) - 1));
+            worst = larger(worst, std::abs(even / beckmann_slopes(a, a, x, y) - 1));
             const auto aligned = lobe::widened(base, 0.03);
             const double both =
                 average_over_gaussian({0.03, 0, 0.03}, [&](double bx, double by) { return beckmann_slopes(0.3, 0.2, x - bx, y - by); });
-            worst = std::max(worst, std::abs(both / beckmann_slopes(aligned.x(), aligned.y(), x, y) - 1));
+            worst = larger(worst, std::abs(both / beckmann_slopes(aligned.x(), aligned.y(), x, y) - 1));
         }
     INFO(worst);
     CHECK(worst < 1e-12);
@@ -100,8 +100,8 @@ TEST_CASE("eigen-decomposition: the matrix again, orthonormal, the wider axis fi
         const slope_matrix<double> C{s1 * s1, c * s1 * s2, s2 * s2};
         const auto o = lobe::widened(base, C);
         const slope_matrix<double> sum{base.x() * base.x() + 2 * C.xx, 2 * C.xy, base.y() * base.y() + 2 * C.yy};
-        back = std::max(back, distance(matrix_of(o), sum) / (sum.xx + sum.yy));
-        unit = std::max(unit, std::abs(lobe::dot(o.tangent, o.tangent) - 1));
+        back = larger(back, distance(matrix_of(o), sum) / (sum.xx + sum.yy));
+        unit = larger(unit, std::abs(lobe::dot(o.tangent, o.tangent) - 1));
         ordered = ordered && o.width.x() >= o.width.y();
     }
     INFO(back / epsilon << ' ' << unit / epsilon);
@@ -126,8 +126,8 @@ TEST_CASE("a scratched mirror, where the determinant has no digits left in float
                     x = s * std::cos(angle), y = s * std::sin(angle);
         const auto o = lobe::widened(alpha_xy{1e-4f, 1e-4f}, slope_matrix<float>{x * x, x * y, y * y});  // rank 1
         // truth: 1e-4 across; x x, x y, y y are rounded, by 6e-8 s^2, which is up to 2.4e-4 s of width
-        low = std::max(low, 1e-4 - static_cast<double>(o.width.y()));
-        high = std::max(high, static_cast<double>(o.width.y() / s));
+        low = larger(low, 1e-4 - static_cast<double>(o.width.y()));
+        high = larger(high, static_cast<double>(o.width.y() / s));
         CHECK(std::abs(o.tangent.x * y - o.tangent.y * x) < 2e-6f * s);
     }
     INFO(low << ' ' << high);
@@ -204,8 +204,7 @@ TEST_CASE("one normal has no variance, and rounding does not make it negative", 
         const float scale = sum.M.xx + sum.M.yy;
         const float variance = (lobe::clean_moments<float>::of(n) * 0.3f + lobe::clean_moments<float>::of(n) * 0.7f).variance();
         REQUIRE((C.xx >= 0 && C.yy >= 0 && variance >= 0));
-        REQUIRE(std::max({C.xx, C.yy, std::abs(C.xy), variance}) <=
-                8 * 6e-8f * scale);  // M and b b^T: two products and a sum each, b twice
+        REQUIRE(larger({C.xx, C.yy, std::abs(C.xy), variance}) <= 8 * 6e-8f * scale);  // M and b b^T: two products and a sum each, b twice
     }
 }
 
@@ -302,8 +301,8 @@ TEST_CASE("Tokuyoshi and Kaplanyan: the half vector's footprint in projected spa
         const real axx = (wxx * (1 + wyy) - wxy * wxy) / det, axy = (-wxx * wxy + wxy * (1 + wxx)) / det,
                    ayy = (wyy * (1 + wxx) - wxy * wxy) / det;
         const auto got = matrix_of(lobe::widened_by_half_vector(alpha_xy{ax, ay}, dx, dy));
-        worst = std::max(worst, distance(got, {static_cast<double>(axx), static_cast<double>(axy), static_cast<double>(ayy)}) /
-                                    static_cast<double>(axx + ayy));
+        worst = larger(worst, distance(got, {static_cast<double>(axx), static_cast<double>(axy), static_cast<double>(ayy)}) /
+                                  static_cast<double>(axx + ayy));
     }
     INFO(worst / epsilon);
     CHECK(worst < 24 * epsilon);

@@ -43,8 +43,8 @@ TEST_CASE("a clear coat is KHR_materials_clearcoat's", "[coat]") {
         const auto v = random.grazing_direction(1e-3), l = random.grazing_direction(1e-3);
         const auto brdf = coated(lambert{rho}, ggx{alpha{roughness * roughness}}, weight);
         const double expected = printed_coat(rho / pi, weight, roughness, v, l);
-        worst = std::max(worst, std::abs(brdf.f(v, l) / expected - 1));
-        worst = std::max(worst, std::abs(brdf.f_cos(v, l) / (expected * l.z) - 1));
+        worst = larger(worst, std::abs(brdf.f(v, l) / expected - 1));
+        worst = larger(worst, std::abs(brdf.f_cos(v, l) / (expected * l.z) - 1));
     }
     CHECK(worst < 1e-12);  // the printed D loses 1/alpha^2 = 1e4 roundings of long double; the rest is a few of double
 
@@ -63,10 +63,10 @@ TEST_CASE("a clear coat makes no light, and loses only what its facets lose", "[
     for (double a : {0.001, 0.01, 0.05, 0.08, 0.1, 0.3, 0.6, 1.0})
         for (double mu : {0.01, 0.03, 0.1, 0.12, 0.3, 0.57, 1.0}) {
             const double E = total(a, mu), F = 0.04 + 0.96 * std::pow(1 - mu, 5);
-            largest = std::max(largest, E), least = std::min(least, E);
+            largest = larger(largest, E), least = std::min(least, E);
             const double facets = lobe::directional_albedo(lobe::microfacet{ggx{alpha{a}}, lobe::smith_correlated{}, lobe::perfect_reflector{}}, mu);
-            worst = std::max(worst, std::abs(E - (1 - F * (1 - facets))));
-            worst = std::max(worst, std::abs(total(a, mu, 0.3) - (1 - 0.3 * F * (1 - facets))));
+            worst = larger(worst, std::abs(E - (1 - F * (1 - facets))));
+            worst = larger(worst, std::abs(total(a, mu, 0.3) - (1 - 0.3 * F * (1 - facets))));
         }
     CHECK(worst < 1e-5);  // quadrature, asked for 1e-6 of each lobe
     CHECK(largest < 1 + 1e-5);
@@ -89,9 +89,9 @@ TEST_CASE("a clear coat is sampled by what each part reflects", "[coat]") {
                         const auto s = brdf.sample(v, {(i + 0.5) / side, (j + 0.5) / side});
                         if (!(s.pdf > 0)) continue;
                         mean += s.weight / (side * side);
-                        largest = std::max(largest, s.weight);
+                        largest = larger(largest, s.weight);
                         const auto e = brdf.evaluate(v, s.l);
-                        inconsistent = std::max({inconsistent, std::abs(e.pdf / s.pdf - 1), std::abs(e.f_cos / (s.weight * s.pdf) - 1)});
+                        inconsistent = larger({inconsistent, std::abs(e.pdf / s.pdf - 1), std::abs(e.f_cos / (s.weight * s.pdf) - 1)});
                     }
                 // Shares w and 1 - w of weights that are at most 1 each: a white base under a coat of F = 1
                 CHECK(largest < 1 + 1e-12);

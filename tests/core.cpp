@@ -29,7 +29,7 @@ double worst_sincos(T u) {
         case 2: exact_sin = -std::sin(r), exact_cos = -std::cos(r); break;
         case 3: exact_sin = -std::cos(r), exact_cos = std::sin(r); break;
     }
-    return std::max(ulp_error(s, exact_sin), ulp_error(c, exact_cos));
+    return larger(ulp_error(s, exact_sin), ulp_error(c, exact_cos));
 }
 
 }  // namespace
@@ -37,9 +37,9 @@ double worst_sincos(T u) {
 TEST_CASE("sincos_2pi is within 2 ULP: a strided sweep of the floats of [0,1]", "[core]") {
     double worst = 0;
     for (std::uint32_t bits = 0; bits <= std::bit_cast<std::uint32_t>(1.0f); bits += 509)
-        worst = std::max(worst, worst_sincos(std::bit_cast<float>(bits)));
+        worst = larger(worst, worst_sincos(std::bit_cast<float>(bits)));
     for (int i = 0; i <= 4000000; ++i)  // evenly spread as well: most floats of [0,1] are tiny
-        worst = std::max(worst, worst_sincos(static_cast<float>(i) / 4000000.0f));
+        worst = larger(worst, worst_sincos(static_cast<float>(i) / 4000000.0f));
     INFO(worst << " ULP");
     CHECK(worst <= 2);
 }
@@ -47,7 +47,7 @@ TEST_CASE("sincos_2pi is within 2 ULP: a strided sweep of the floats of [0,1]", 
 TEST_CASE("sincos_2pi is within 2 ULP in double", "[core]") {
     random_numbers random(1);
     double worst = 0;
-    for (int i = 0; i < 1000000; ++i) worst = std::max({worst, worst_sincos(random()), worst_sincos(random.log_between(1e-300, 1))});
+    for (int i = 0; i < 1000000; ++i) worst = larger({worst, worst_sincos(random()), worst_sincos(random.log_between(1e-300, 1))});
     INFO(worst << " ULP");
     CHECK(worst <= 2 + reference_slack);
 }
@@ -69,7 +69,7 @@ double not_orthonormal(const frame<T>& at) {
     double worst = 0;
     const vec3<long double> axes[3] = {vec3<long double>(at.t), vec3<long double>(at.b), vec3<long double>(at.n)};
     for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) worst = std::max(worst, static_cast<double>(std::abs(lobe::dot(axes[i], axes[j]) - (i == j ? 1 : 0))));
+        for (int j = 0; j < 3; ++j) worst = larger(worst, static_cast<double>(std::abs(lobe::dot(axes[i], axes[j]) - (i == j ? 1 : 0))));
     return worst / std::numeric_limits<T>::epsilon();  // ULP of 1
 }
 
@@ -81,7 +81,7 @@ TEMPLATE_TEST_CASE("frames are orthonormal and right-handed", "[core]", float, d
     double worst = 0, worst_with_tangent = 0;
     const auto look = [&](const vec3<T>& n) {
         const frame<T> at(n);
-        worst = std::max(worst, not_orthonormal(at));
+        worst = larger(worst, not_orthonormal(at));
         CHECK(lobe::dot(lobe::cross(at.t, at.b), at.n) > T(0.99));
     };
     for (const T x : {T(-1), T(0), T(1)})
@@ -91,13 +91,13 @@ TEMPLATE_TEST_CASE("frames are orthonormal and right-handed", "[core]", float, d
     for (int i = 0; i < 100000; ++i) {
         const vec3<T> n = lobe::normalize(random.direction<T>());
         const T tiny = static_cast<T>(random.log_between(1e-20, 1));
-        worst = std::max(worst, not_orthonormal(frame<T>(n)));
+        worst = larger(worst, not_orthonormal(frame<T>(n)));
         look(lobe::normalize(vec3<T>{n.x * tiny, n.y * tiny, n.z < 0 ? T(-1) : T(1)}));  // close to the poles
         // a tangent down to 1e-4 radian from the normal, of any length
         const frame<T> any(n);
         const T angle = static_cast<T>(random.log_between(1e-4, 1.5));
         const frame<T> with_tangent(n, T(7) * (std::cos(angle) * n + std::sin(angle) * any.t));
-        worst_with_tangent = std::max(worst_with_tangent, not_orthonormal(with_tangent));
+        worst_with_tangent = larger(worst_with_tangent, not_orthonormal(with_tangent));
         if (angle > T(0.01)) CHECK(lobe::dot(with_tangent.t, any.t) > T(0.999));
         CHECK(lobe::dot(lobe::cross(with_tangent.t, with_tangent.b), n) > T(0.99));
     }

@@ -98,7 +98,7 @@ concept takes = requires(const B& b, const W& w) { b.f(w, w); };
 
 struct range {
     double low = 1e9, high = -1e9;
-    void add(double x) { low = std::min(low, x), high = std::max(high, x); }
+    void add(double x) { low = std::min(low, x), high = larger(high, x); }
 };
 
 /// Every model at one albedo and roughness.
@@ -126,8 +126,8 @@ TEST_CASE("each diffuse f is the printed equation", "[diffuse]") {
         const angles g(v, l);
         const auto compare = [&](double& error, const auto& brdf, real printed) {
             const real scale = std::max(printed, real(rho) / pi * (0.3L + real(r) / std::max(g.mu_v, g.mu_l)));
-            error = std::max(error, static_cast<double>(std::abs(real(brdf.f(v, l)) - printed) / scale));
-            error = std::max(error, static_cast<double>(std::abs(real(brdf.f_cos(v, l)) - printed * real(l.z)) / (scale * real(l.z))));
+            error = larger(error, static_cast<double>(std::abs(real(brdf.f(v, l)) - printed) / scale));
+            error = larger(error, static_cast<double>(std::abs(real(brdf.f_cos(v, l)) - printed * real(l.z)) / (scale * real(l.z))));
         };
         compare(worst[0], lobe::oren_nayar{rho, 1.5 * r}, printed_oren_nayar(rho, 1.5L * real(r), g));
         compare(worst[1], lobe::fon{rho, r}, printed_fon(rho, r, g));
@@ -139,8 +139,8 @@ TEST_CASE("each diffuse f is the printed equation", "[diffuse]") {
         double exact = 0, fit = 0;
         compare(exact, lobe::eon{rho, r}, printed_eon(rho, r, g, false));
         compare(fit, lobe::eon{rho, r, lobe::fon_loss_fit{}}, printed_eon(rho, r, g, true));
-        worst[2] = std::max(worst[2], exact / lost);
-        worst[3] = std::max(worst[3], fit / lost);
+        worst[2] = larger(worst[2], exact / lost);
+        worst[3] = larger(worst[3], fit / lost);
     }
     INFO(worst[0] << ' ' << worst[1] << ' ' << worst[2] << ' ' << worst[3] << ' ' << worst[4] << ' ' << worst[5]);
     for (double error : worst) CHECK(error < 16 * epsilon);
@@ -153,7 +153,7 @@ TEST_CASE("no roughness is Lambert", "[diffuse]") {
     for (int i = 0; i < 1000; ++i) {
         const vec3<double> v = random.grazing_direction(1e-6), l = random.grazing_direction(1e-6);
         for (double f : {lobe::oren_nayar{0.7, 0.0}.f(v, l), lobe::fon{0.7, 0.0}.f(v, l), lobe::eon{0.7, 0.0}.f(v, l)})
-            worst = std::max(worst, std::abs(f - smooth.f(v, l)));
+            worst = larger(worst, std::abs(f - smooth.f(v, l)));
     }
     CHECK(worst == 0);
 }
@@ -166,7 +166,7 @@ TEST_CASE("diffuse models are reciprocal", "[diffuse]") {
             for (int i = 0; i < 20000; ++i) {
                 const vec3<double> v = random.grazing_direction(1e-6), l = random.grazing_direction(1e-6);
                 const double there = brdf.f(v, l), back = brdf.f(l, v);
-                worst = std::max(worst, std::abs(there - back) / (there + 0.8 / 3.14));  // rounding of sums, in units of rho/pi
+                worst = larger(worst, std::abs(there - back) / (there + 0.8 / 3.14));  // rounding of sums, in units of rho/pi
             }
             CHECK(worst < 4 * epsilon);
         });
@@ -244,8 +244,8 @@ TEST_CASE("the fit of FON's albedo is within 4.7e-4", "[diffuse]") {
     const lobe::fon brdf{1.0, 1.0};
     for (int i = 1; i <= 10000; ++i) {
         const vec3<double> w = at_cosine(i / 10000.0);
-        loss = std::max(loss, std::abs(lobe::fon_loss_fit{}(w) - lobe::fon_loss{}(w)));
-        E = std::max(E, std::abs(brdf.albedo(w, lobe::fon_loss_fit{}) - brdf.albedo(w)));
+        loss = larger(loss, std::abs(lobe::fon_loss_fit{}(w) - lobe::fon_loss{}(w)));
+        E = larger(E, std::abs(brdf.albedo(w, lobe::fon_loss_fit{}) - brdf.albedo(w)));
     }
     INFO(loss << ' ' << E);
     CHECK(loss < 6.1e-4);
@@ -282,7 +282,7 @@ TEST_CASE("no diffuse model is negative, and none is seen from below", "[diffuse
             const auto look = [&](const vec3<float>& v, const vec3<float>& l) {
                 const float f = brdf.f(v, l), f_cos = brdf.f_cos(v, l), pdf = brdf.pdf(v, l);
                 lowest = f >= 0 && f_cos >= 0 && pdf >= 0 ? lowest : -1;  // a NaN counts
-                if (v.z <= 0 || l.z <= 0) below = std::max({below, f, f_cos, pdf, brdf.sample(v, {0.3f, 0.7f}).pdf * float(v.z <= 0)});
+                if (v.z <= 0 || l.z <= 0) below = larger({below, f, f_cos, pdf, brdf.sample(v, {0.3f, 0.7f}).pdf * float(v.z <= 0)});
             };
             for (int i = 0; i < 20000; ++i) {
                 look(random.grazing_direction<float>(1e-6), random.grazing_direction<float>(1e-6));
@@ -308,9 +308,9 @@ TEST_CASE("cosine sampling: weight * pdf = f_cos, E[weight] = albedo", "[diffuse
                 const auto s = brdf.sample(v, lobe::hammersley<double>(i, count));
                 const auto e = brdf.evaluate(v, s.l);
                 mean += s.weight / count;
-                worst = std::max({worst, std::abs(s.weight * s.pdf / brdf.f_cos(v, s.l) - 1), std::abs(s.pdf / brdf.pdf(v, s.l) - 1),
-                                  std::abs(e.f_cos / brdf.f_cos(v, s.l) - 1), std::abs(e.pdf / s.pdf - 1),
-                                  std::abs(s.pdf * 3.14159265358979324 / s.l.z - 1)});
+                worst = larger({worst, std::abs(s.weight * s.pdf / brdf.f_cos(v, s.l) - 1), std::abs(s.pdf / brdf.pdf(v, s.l) - 1),
+                                std::abs(e.f_cos / brdf.f_cos(v, s.l) - 1), std::abs(e.pdf / s.pdf - 1),
+                                std::abs(s.pdf * 3.14159265358979324 / s.l.z - 1)});
             }
             INFO("mu " << mu << " mean " << mean << " albedo " << albedo(brdf, mu));
             CHECK(worst < 4 * epsilon);

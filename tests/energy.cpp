@@ -33,14 +33,14 @@ TEST_CASE("albedo and split-sum terms agree with the tables on the whole grid", 
         for (const auto& row : reference_table("albedo_ggx_F1.csv")) {
             const microfacet hc{ggx{alpha{row[1]}}, smith_correlated{}, perfect_reflector{}};
             const microfacet sep{ggx{alpha{row[1]}}, smith_separable{}, perfect_reflector{}};
-            correlated = std::max(correlated, std::abs(lobe::directional_albedo(hc, row[0], options).value - row[2]));
-            separable = std::max(separable, std::abs(lobe::directional_albedo(sep, row[0], options).value - row[3]));
+            correlated = larger(correlated, std::abs(lobe::directional_albedo(hc, row[0], options).value - row[2]));
+            separable = larger(separable, std::abs(lobe::directional_albedo(sep, row[0], options).value - row[3]));
         }
         for (const auto& row : reference_table("splitsum_ggx_AB.csv")) {
             const auto hc = lobe::dfg_exact(smith_correlated{}, row[0], alpha{row[1]}, options);
             const auto sep = lobe::dfg_exact(smith_separable{}, row[0], alpha{row[1]}, options);
-            correlated = std::max({correlated, std::abs(hc.scale - row[2]), std::abs(hc.bias - row[3])});
-            separable = std::max({separable, std::abs(sep.scale - row[4]), std::abs(sep.bias - row[5])});
+            correlated = larger({correlated, std::abs(hc.scale - row[2]), std::abs(hc.bias - row[3])});
+            separable = larger({separable, std::abs(sep.scale - row[4]), std::abs(sep.bias - row[5])});
         }
         INFO("order " << b.order << ": correlated " << correlated << ", separable " << separable);
         CHECK(correlated <= b.correlated);
@@ -68,20 +68,20 @@ TEST_CASE("the same accuracy between the table's points", "[energy]") {
     for (int i = 0; i < 300; ++i) {
         const double mu = random.log_between(1e-3, 1), a = random.log_between(1e-3, 1);
         const microfacet one{ggx{alpha{1.0}}, smith_correlated{}, perfect_reflector{}};
-        closed = std::max(closed, std::abs(lobe::directional_albedo(one, mu, {.order = 16}).value - (1 - mu * std::log(1 + 1 / mu))));
+        closed = larger(closed, std::abs(lobe::directional_albedo(one, mu, {.order = 16}).value - (1 - mu * std::log(1 + 1 / mu))));
         const auto compare = [&](const auto& masking) {
             const microfacet lobe{ggx{alpha{a}}, masking, perfect_reflector{}};
             const double fine = lobe::directional_albedo(lobe, mu, {.order = 128}).value;
-            low = std::max(low, std::abs(lobe::directional_albedo(lobe, mu, {.order = 16}).value - fine));
-            high = std::max(high, std::abs(lobe::directional_albedo(lobe, mu, {.order = 32}).value - fine));
+            low = larger(low, std::abs(lobe::directional_albedo(lobe, mu, {.order = 16}).value - fine));
+            high = larger(high, std::abs(lobe::directional_albedo(lobe, mu, {.order = 32}).value - fine));
         };
         compare(smith_correlated{});
         compare(smith_separable{});
         if (i % 10) continue;
         const microfacet lobe{ggx{alpha_xy{a, random.log_between(1e-3, 1)}}, smith_correlated{}, perfect_reflector{}};
         const auto v = random.grazing_direction(1e-3);
-        anisotropic = std::max(anisotropic, std::abs(lobe::directional_albedo(lobe, v, {.order = 32}).value -
-                                                     lobe::directional_albedo(lobe, v, {.order = 128}).value));
+        anisotropic = larger(anisotropic, std::abs(lobe::directional_albedo(lobe, v, {.order = 32}).value -
+                                                   lobe::directional_albedo(lobe, v, {.order = 128}).value));
     }
     INFO("closed form " << closed << ", order 16 " << low << ", order 32 " << high << ", anisotropic " << anisotropic);
     CHECK(closed < 2e-5);
@@ -174,8 +174,8 @@ TEST_CASE("the baked table keeps its promise between and beyond its nodes", "[en
                 const auto exact = lobe::dfg_exact(masking, mu, alpha{r * r}, {.order = 32});
                 const auto read = table(static_cast<float>(mu), alpha{static_cast<float>(r * r)});
                 const double E = static_cast<double>(read.albedo()) - exact.albedo(), A = static_cast<double>(read.scale) - exact.scale;
-                E_worst = std::max(E_worst, std::abs(E));
-                A_worst = std::max(A_worst, std::abs(A));
+                E_worst = larger(E_worst, std::abs(E));
+                A_worst = larger(A_worst, std::abs(A));
                 E_square += E * E / (n * n);
                 A_square += A * A / (n * n);
                 CHECK(read.bias >= 0);
@@ -234,7 +234,7 @@ TEST_CASE("fdez_aguera: white furnace, and coloured albedo against the random wa
         const double F0[4] = {0.04, 0.2, 0.5, 0.9};
         for (int i = 0; i < 4; ++i) {
             const auto w = lobe::fdez_aguera{}(t, F0[i]);
-            worst[i] = std::max(worst[i], std::abs(w.radiance + w.irradiance - row[static_cast<std::size_t>(12 + 4 * i)]));
+            worst[i] = larger(worst[i], std::abs(w.radiance + w.irradiance - row[static_cast<std::size_t>(12 + 4 * i)]));
         }
     }
     INFO(worst[0] << ' ' << worst[1] << ' ' << worst[2] << ' ' << worst[3]);
@@ -291,13 +291,13 @@ TEST_CASE("the random walk agrees with every row of the table", "[energy]") {
         CHECK(energy == Catch::Approx(1).epsilon(1e-9));
         for (std::size_t k = 0; k < 3; ++k) {
             const double p = row[6 + 2 * k], error = std::sqrt(std::max(p * (1 - p), 1.0 / paths) / paths) + row[7 + 2 * k];
-            worst = std::max(worst, std::abs(orders[k] - p) / error);
+            worst = larger(worst, std::abs(orders[k] - p) / error);
             CHECK(std::abs(orders[k] - p) < 4 * error);
         }
         for (std::size_t k = 0; k < 4; ++k) {
             const double mean = sum[k] / paths, variance = squares[k] / paths - mean * mean;
             const double error = std::sqrt(variance / paths) + row[13 + 4 * k];
-            worst = std::max(worst, std::abs(mean - row[12 + 4 * k]) / error);
+            worst = larger(worst, std::abs(mean - row[12 + 4 * k]) / error);
             CHECK(std::abs(mean - row[12 + 4 * k]) < 4 * error);
         }
     }

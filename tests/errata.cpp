@@ -100,7 +100,7 @@ double shape_deviation(const Make& density_of_width) {
             const double mu = 1 / std::sqrt(1 + ratio * ratio * a * a);
             return density({std::sqrt((1 - mu) * (1 + mu)), 0, mu}) * mu * mu * mu * mu * a * a;
         };
-        worst = std::max(worst, std::abs(shape(narrow, 0.1) / shape(wide, 0.5) - 1));
+        worst = larger(worst, std::abs(shape(narrow, 0.1) / shape(wide, 0.5) - 1));
     }
     return worst;
 }
@@ -112,7 +112,7 @@ template <class F>
 bool is_near_fresnel(const F& reflectance) {
     const lobe::dielectric exact{1.5};
     double worst = 0;
-    for (double u = 0; u <= 1; u += 1.0 / 256) worst = std::max(worst, std::abs(reflectance(u) - exact(u)));
+    for (double u = 0; u <= 1; u += 1.0 / 256) worst = larger(worst, std::abs(reflectance(u) - exact(u)));
     return worst < 0.04;
 }
 
@@ -134,7 +134,7 @@ double masking_error(const G& G2) {
     double worst = 0;
     for (const auto& v : rows)
         for (const auto& l : rows)
-            if (v[1] == l[1]) worst = std::max(worst, std::abs(G2(v[0], l[0], v[1]) - 1 / (1 + v[2] + l[2])));
+            if (v[1] == l[1]) worst = larger(worst, std::abs(G2(v[0], l[0], v[1]) - 1 / (1 + v[2] + l[2])));
     return worst;
 }
 
@@ -148,7 +148,7 @@ template <class G>
 double masking_error_of_one(const G& G1) {
     double worst = 0;
     for (const auto& row : reference_table("smith_lambda.csv"))
-        if (row[0] >= 0.001 && row[1] >= 0.0025) worst = std::max(worst, std::abs(G1(row[0], row[1]) - row[3]));  // roughness >= 0.05
+        if (row[0] >= 0.001 && row[1] >= 0.0025) worst = larger(worst, std::abs(G1(row[0], row[1]) - row[3]));  // roughness >= 0.05
     return worst;
 }
 
@@ -169,7 +169,7 @@ double walk_error(const Albedo& albedo, double F0) {
     const std::size_t column = F0 == 0.04 ? 12 : F0 == 0.2 ? 16 : F0 == 0.5 ? 20 : 24;
     double worst = 0;
     for (const auto& row : reference_table("multiscatter_random_walk.csv"))
-        worst = std::max(worst, std::abs(albedo(row[0], row[1], F0) - row[column]));
+        worst = larger(worst, std::abs(albedo(row[0], row[1], F0) - row[column]));
     return worst;
 }
 
@@ -180,7 +180,7 @@ double irreciprocity(const F& f) {
     double worst = 0;
     for (int i = 0; i < 10000; ++i) {
         const vec3<double> v = random.grazing_direction(0.05), l = random.grazing_direction(0.05);
-        worst = std::max(worst, std::abs(f(v, l) / f(l, v) - 1));
+        worst = larger(worst, std::abs(f(v, l) / f(l, v) - 1));
     }
     return worst;
 }
@@ -540,7 +540,7 @@ TEST_CASE("errata 002, direct light: the printed formulas fail the checks", "[er
         for (double a : {0.1, 0.2, 0.5})
             for (double v = 0.005; v < 1; v += 0.005) {
                 const ggx ndf{alpha{a}};
-                worst = std::max(worst, smith_correlated{}.G2(ndf, at(v), at(v)) - smith_separable{}.G2(ndf, at(v), at(v)));
+                worst = larger(worst, smith_correlated{}.G2(ndf, at(v), at(v)) - smith_separable{}.G2(ndf, at(v), at(v)));
             }
         CHECK(rounded(worst, 3) == 0.090);
     }
@@ -866,7 +866,7 @@ TEST_CASE("errata 004, distributions of normals: the printed formulas fail the c
                 const double sine = static_cast<double>(s), q = static_cast<double>(a) * static_cast<double>(a);
                 const double k = static_cast<double>(a) / (q * (1 - sine * sine) + sine * sine);  // of the rounded inputs
                 const float value = D(a, s, static_cast<float>(std::sqrt((1 - sine) * (1 + sine))));
-                largest = std::max(largest, std::abs(static_cast<double>(value) * pi / (k * k) - 1));
+                largest = larger(largest, std::abs(static_cast<double>(value) * pi / (k * k) - 1));
             }
             return largest;
         };
@@ -877,7 +877,7 @@ TEST_CASE("errata 004, distributions of normals: the printed formulas fail the c
         for (double theta = 1e-5; theta < 0.1; theta *= 1.001) {
             const float sine = static_cast<float>(std::sin(theta));
             const double value = static_cast<double>(printed(1e-3f, sine, static_cast<float>(std::cos(theta))));
-            local = std::max(local, std::abs(value / ggx{alpha{1e-3}}.D({std::sin(theta), 0, std::cos(theta)}) - 1));
+            local = larger(local, std::abs(value / ggx{alpha{1e-3}}.D({std::sin(theta), 0, std::cos(theta)}) - 1));
         }
         INFO(local);
         CHECK(rounded(100 * local, 1) == 12.5);

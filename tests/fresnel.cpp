@@ -124,6 +124,67 @@ TEST_CASE("dielectric and conductor are the complex equations", "[fresnel]") {
     CHECK(metals < 8 * epsilon);
 }
 
+TEST_CASE("the errors that the Fresnel headers state, in float, eta an input", "[fresnel]") {
+    random_numbers random(12);
+    double insulators = 0, inside = 0, metals = 0, weak = 0;
+    for (int i = 0; i < 600000; ++i) {
+        // near eta = 1 and near the normal Rs is all there is, and its square doubles what it rounds: half of the indices and cosines are there
+        const float eta = static_cast<float>(i % 2 ? random.between(1, 10) : 1 + random.log_between(1e-7, 9));
+        const float c = static_cast<float>(i % 4 < 2 ? 1 - random.log_between(1e-7, 1) : i % 8 < 4 ? random() : random.log_between(1e-6, 1));
+        if (eta > 1 && eta <= 10 && c > 0)
+            insulators = std::max(insulators, ulp_error(dielectric{eta}(c), printed_fresnel(eta, 0, c)));
+        // from inside, half of the cosines just beyond the critical one: 12 ULP, and 1.5 times the inputs' own
+        const float less = static_cast<float>(random.between(0.3, 1)), critical = std::sqrt((1 - less) * (1 + less));
+        const float u = static_cast<float>(i % 2 ? random() : random.log_between(1e-7, 1));
+        const float beyond = std::min(1.0f, critical + (1 - critical) * u);
+        const long double F = printed_fresnel(less, 0, beyond);
+        double change = 0;
+        for (const float n : {0.0f, 1.0f})
+            for (const float to : {0.0f, 2.0f}) {
+                const float moved = std::min(1.0f, std::nextafter(beyond, to));
+                change = std::max(change, ulp_error(static_cast<double>(printed_fresnel(std::nextafter(less, n), 0, moved)), F));
+            }
+        change *= 0x1p-29;  // from places of double to places of float
+        inside = std::max(inside, ulp_error(dielectric{less}(beyond), F) / (12 + 1.5 * change));
+
+        const float metal = static_cast<float>(random.log_between(0.3, 10));
+        const float k = static_cast<float>(i % 2 ? random.log_between(0.5, 10) : random.between(0.5, 0.6));
+        const float near_1 = i % 2 ? metal : static_cast<float>(random.between(0.9, 1.2));
+        metals = std::max(metals, ulp_error(conductor{near_1, k}(c), printed_fresnel(near_1, k, c)));
+        const float little = static_cast<float>(random.log_between(1e-6, 0.5));
+        if (eta <= 10) weak = std::max(weak, ulp_error(conductor{eta, little}(c), printed_fresnel(eta, little, c)));
+    }
+    INFO("dielectric " << insulators << ", from inside " << inside << ", metals " << metals << ", weak absorbers " << weak);
+    CHECK(insulators <= 12);
+    CHECK(inside <= 1);
+    CHECK(metals <= 9);
+    CHECK(weak <= 12);
+    // found by climbing: the worst of this form, 11, and those of e = (eta - 1)(eta + 1) over e + 2 c (g + c), 12.2 to 13.9
+    for (const auto& [eta, c] : {std::pair{1.00015032f, 0.367648154f}, {1.00195205f, 0.999720693f}, {1.00026119f, 0.250201076f},
+                                 {1.06434262f, 0.98552978f}, {1.01556456f, 0.99698019f}, {1.09120262f, 0.985587358f}})
+        CHECK(ulp_error(dielectric{eta}(c), printed_fresnel(eta, 0, c)) <= 12);
+    // for eta < 1 the critical angle, as k nears 0
+    const double stated[][2] = {{0.1, 14}, {0.01, 80}, {0.001, 300}};
+    for (const auto& [k, bound] : stated) {
+        double worst = 0;
+        for (int i = 0; i < 50000; ++i) {
+            const float eta = static_cast<float>(random.between(0.3, 1)), extinction = static_cast<float>(k);
+            const float spread = static_cast<float>(random.between(-4, 4) * k), critical = std::sqrt((1 - eta) * (1 + eta));
+            const float c = std::clamp(critical + spread, 1e-3f, 1.0f);
+            worst = std::max(worst, ulp_error(conductor{eta, extinction}(c), printed_fresnel(eta, extinction, c)));
+        }
+        INFO("k = " << k << ": " << worst);
+        CHECK(worst <= bound);
+    }
+    // and for eta << 1 it is at the normal: up to 6/eta roundings
+    double normal = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const float eta = static_cast<float>(random.log_between(1e-3, 0.3));
+        normal = std::max(normal, static_cast<double>(eta * std::abs(dielectric{eta}(1.0f) / printed_fresnel(eta, 0, 1) - 1)));
+    }
+    CHECK(normal <= 6 * 0x1p-24);
+}
+
 TEST_CASE("a conductor at k = 0 is a dielectric, total internal reflection included", "[fresnel]") {
     random_numbers random(2);
     double worst = 0;
@@ -132,10 +193,10 @@ TEST_CASE("a conductor at k = 0 is a dielectric, total internal reflection inclu
         const double eta = random.log_between(0.3, 10), c = i % 2 ? random() : random.log_between(1e-8, 1);
         const double F = dielectric{eta}(c);
         total += F == 1;
-        worst = std::max(worst, std::abs(conductor{eta, 0.0}(c) - F) / F);
+        worst = std::max(worst, ulp_error(conductor{eta, 0.0}(c), F));
     }
     INFO(worst << "; total reflections " << total);
-    CHECK(worst < 16 * epsilon);  // 8 ULP each
+    CHECK(worst <= 24);  // 12 ULP each
     CHECK(total > 10000);
     for (double eta : {0.5, 1.0, 1.5}) CHECK(conductor{eta, 0.0}(0.0) == Catch::Approx(dielectric{eta}(0.0)).epsilon(4 * epsilon));
     for (double eta : {1.02, 1.5, 4.0})
@@ -152,8 +213,8 @@ TEST_CASE("reflectance is the same from both sides of the interface", "[fresnel]
         const double g2 = (eta - 1) * (eta + 1) + c * c, c_t = std::sqrt(g2) / eta;
         const double F = dielectric{eta}(c), back = dielectric{1 / eta}(c_t);
         // From inside g = c/eta, and g^2 = c_t^2 + (1/eta - 1)(1/eta + 1) rounds by 11 epsilon in all: c_t by 3 and twice that in its
-        // square, 1/eta by 2, the rest 3. So g is off by 11/2 (eta/c)^2, relatively, and 1 - F by no more. Both F's carry 8 ULP.
-        worst = std::max(worst, std::abs(F - back) / (epsilon * (16 + 5.5 * (1 - F) * eta * eta / (c * c))));
+        // square, 1/eta by 2, the rest 3. So g is off by 11/2 (eta/c)^2, relatively, and 1 - F by no more. Both F's carry 12 ULP.
+        worst = std::max(worst, std::abs(F - back) / (epsilon * (24 + 5.5 * (1 - F) * eta * eta / (c * c))));
     }
     INFO(worst);
     CHECK(worst < 1);

@@ -42,11 +42,11 @@ TEST_CASE("D agrees with the 50-digit tables at the extremes", "[ggx]") {
     for (const auto& row : reference_table("ndf_extreme_iso.csv")) {
         const double a = row[0], s = row[1];
         const vec3<double> m{s, 0, std::sqrt((1 - s) * (1 + s))};
-        isotropic = std::max(isotropic, ulp_error(ggx{alpha{a}}.D(m), row[2]));
-        anisotropic = std::max(anisotropic, ulp_error(ggx{alpha_xy{a, a}}.D(m), row[2]));
+        isotropic = larger(isotropic, ulp_error(ggx{alpha{a}}.D(m), row[2]));
+        anisotropic = larger(anisotropic, ulp_error(ggx{alpha_xy{a, a}}.D(m), row[2]));
         // float: the same inputs rounded, so the error is conditioned by that rounding; 1e-6 bounds it in float's digits
         const double in_float = static_cast<double>(ggx{alpha{static_cast<float>(a)}}.D(vec3<float>(m)));
-        float_isotropic = std::max(float_isotropic, std::abs(in_float / row[2] - 1));
+        float_isotropic = larger(float_isotropic, std::abs(in_float / row[2] - 1));
     }
     for (const auto& row : reference_table("ndf_extreme_aniso.csv")) {
         const double s = row[2];
@@ -56,9 +56,9 @@ TEST_CASE("D agrees with the 50-digit tables at the extremes", "[ggx]") {
         const vec3<double> m{static_cast<double>(s * (right ? 0 : std::cos(phi))), static_cast<double>(s * std::sin(phi)),
                              std::sqrt((1 - s) * (1 + s))};
         const ggx distribution{alpha_xy{row[0], row[1]}};
-        anisotropic = std::max(anisotropic, ulp_error(distribution.D(m), row[4]));
+        anisotropic = larger(anisotropic, ulp_error(distribution.D(m), row[4]));
         const ggx in_float{alpha_xy{static_cast<float>(row[0]), static_cast<float>(row[1])}};
-        float_anisotropic = std::max(float_anisotropic, std::abs(static_cast<double>(in_float.D(vec3<float>(m))) / row[4] - 1));
+        float_anisotropic = larger(float_anisotropic, std::abs(static_cast<double>(in_float.D(vec3<float>(m))) / row[4] - 1));
     }
     INFO(isotropic << " ULP, anisotropic " << anisotropic << " ULP; relative in float " << float_isotropic << ", " << float_anisotropic);
     CHECK(isotropic <= 6);
@@ -142,7 +142,7 @@ TEST_CASE("projected_area is the area of the facets that face w", "[ggx]") {
         const vec3<double> w = random.direction();
         const double exact = by_definition(ax, ay, w);
         INFO(ax << ' ' << ay << ' ' << w.x << ' ' << w.y << ' ' << w.z);
-        worst = std::max(worst, std::abs(ggx{alpha_xy{ax, ay}}.projected_area(w) - exact));
+        worst = larger(worst, std::abs(ggx{alpha_xy{ax, ay}}.projected_area(w) - exact));
         CHECK(std::abs(ggx{alpha_xy{ax, ay}}.projected_area(w) - exact) < 1e-8);
     }
     INFO(worst);
@@ -160,7 +160,7 @@ TEST_CASE("Lambda agrees with the 60-digit table, and with the projected area", 
         const double mu = row[0];
         const vec3<double> v{std::sqrt((1 - mu) * (1 + mu)), 0, mu};
         const ggx ndf{alpha{row[1]}};
-        worst = std::max(worst, ulp_error(ndf.lambda(v), row[2]));
+        worst = larger(worst, ulp_error(ndf.lambda(v), row[2]));
         CHECK(ulp_error(mu / ndf.projected_area(v), row[3]) <= 6);
         if (row[2] > 0.1) CHECK(ndf.projected_area(-v) / -mu - 1 == Catch::Approx(ndf.lambda(-v)).epsilon(1e-13));
     }
@@ -169,8 +169,9 @@ TEST_CASE("Lambda agrees with the 60-digit table, and with the projected area", 
 }
 
 TEST_CASE("projected area, Lambda and visibility round as stated, over a million views", "[ggx]") {
-    // In units of 2^-24, which are at most an ULP: a x is off by 1, its square by 3, the sum with z^2 by 5, the root by 3.5, so
-    // S + z by 4.5; below the horizon q/(S - z) by 4 + 4.5 + 1.
+    // In units of 2^-24, which are at most an ULP: a x is off by 1, its square by 3, q by 4, the sum with z^2 by 5, the root by 3.5; the
+    // rounding of S + z is half an ULP: 4. Below the horizon, in q/(S - z), half of what q is off cancels where S is off with it; were all
+    // roundings at their worst at once, 6.5 would be left, and 5 is what is stated.
     random_numbers random(4);
     double above = 0, below = 0, lambda = 0, visibility = 0;
     for (int i = 0; i < 1000000; ++i) {
@@ -179,15 +180,16 @@ TEST_CASE("projected area, Lambda and visibility round as stated, over a million
         const ggx exact{alpha{static_cast<long double>(a)}};
         const auto v = random.grazing_direction<float>(1e-6), l = random.grazing_direction<float>(1e-6);
         const vec3<long double> V(v), L(l);
-        above = std::max(above, ulp_error(ndf.projected_area(v), exact.projected_area(V)));
-        above = std::max(above, ulp_error(ndf.projected_area_above(v), exact.projected_area(V)));
-        below = std::max(below, ulp_error(ndf.projected_area(-v), exact.projected_area(-V)));
-        lambda = std::max(lambda, ulp_error(ndf.lambda(v), exact.lambda(V)));
-        visibility = std::max(visibility, ulp_error(lobe::smith_correlated{}.visibility(ndf, v, l), lobe::smith_correlated{}.visibility(exact, V, L)));
+        above = larger(above, ulp_error(ndf.projected_area(v), exact.projected_area(V)));
+        above = larger(above, ulp_error(ndf.projected_area_above(v), exact.projected_area(V)));
+        below = larger(below, ulp_error(ndf.projected_area(-v), exact.projected_area(-V)));
+        lambda = larger(lambda, ulp_error(ndf.lambda(v), exact.lambda(V)));
+        visibility =
+            larger(visibility, ulp_error(lobe::smith_correlated{}.visibility(ndf, v, l), lobe::smith_correlated{}.visibility(exact, V, L)));
     }
     INFO("area " << above << ", below the horizon " << below << ", Lambda " << lambda << ", visibility " << visibility);
-    CHECK(above <= 4.5);
-    CHECK(below <= 9.5);
+    CHECK(above <= 4);
+    CHECK(below <= 5);
     CHECK(lambda <= 8);
     CHECK(visibility <= 6);
 }
@@ -206,7 +208,9 @@ TEST_CASE("sampled normals follow the inverse CDF continuously, in float at alph
         const float cosine = std::sqrt((1 - u.x) / (1 + (1e-8f - 1) * u.x));
         textbook_angles.insert(std::sqrt(1 - cosine * cosine));
         const double exact = std::atan(static_cast<double>(1e-4f) * std::sqrt(static_cast<double>(u.x) / (1 - static_cast<double>(u.x))));
-        worst_angle = std::max(worst_angle, std::abs(std::atan2(std::hypot(static_cast<double>(m.x), static_cast<double>(m.y)), static_cast<double>(m.z)) - exact));
+        worst_angle =
+            larger(worst_angle,
+                   std::abs(std::atan2(std::hypot(static_cast<double>(m.x), static_cast<double>(m.y)), static_cast<double>(m.z)) - exact));
     }
     CHECK(static_cast<double>(angles.size()) > 0.95 * n);
     CHECK(textbook_angles.size() < 1000);
@@ -225,7 +229,7 @@ TEST_CASE("sampled normals follow the inverse CDF continuously, in float at alph
     double distance = 0;
     for (int i = 0; i < samples; ++i) {
         const double F = cdf[static_cast<std::size_t>(i)];
-        distance = std::max({distance, std::abs(F - static_cast<double>(i) / samples), std::abs(F - (i + 1.0) / samples)});
+        distance = larger({distance, std::abs(F - static_cast<double>(i) / samples), std::abs(F - (i + 1.0) / samples)});
     }
     CHECK(distance * std::sqrt(samples) < 1.95);
 }
@@ -245,7 +249,7 @@ double jacobian_error(Map map, Pdf pdf, std::uint64_t seed) {
             return (16.0 * twice(2e-4) - twice(4e-4)) / 15.0;  // error (h/distance to the edge)^6, 4e-9 at u = 0.01
         };
         const double area = lobe::length(lobe::cross(derivative({1, 0}), derivative({0, 1})));
-        worst = std::max(worst, std::abs(pdf(map(u)) * area - 1));
+        worst = larger(worst, std::abs(pdf(map(u)) * area - 1));
     }
     return worst;
 }
@@ -281,7 +285,7 @@ TEST_CASE("visible normals in float stand where those of double do", "[ggx]") {
         const vec3<double> exact = in_double.sample_visible(vec3<double>(v), vec2<double>(u));
         errors.push_back(lobe::length(lobe::cross(vec3<double>(in_float.sample_visible(v, u)), exact)));  // sine of the angle
         const double area = in_double.projected_area(-vec3<double>(v));
-        if (v.z > 0.5f) worst_area_below = std::max(worst_area_below, std::abs(static_cast<double>(in_float.projected_area(-v)) / area - 1));
+        if (v.z > 0.5f) worst_area_below = larger(worst_area_below, std::abs(static_cast<double>(in_float.projected_area(-v)) / area - 1));
     }
     std::sort(errors.begin(), errors.end());
     INFO("99.9 %: " << errors[errors.size() * 999 / 1000] << ", worst " << errors.back());

@@ -125,7 +125,7 @@ TEST_CASE("filtered importance sampling takes the solid angle that it states", "
     const auto environment = [&]<class... Angle>(const vec3<double>& l, const Angle&... solid_angle) {
         if constexpr (sizeof...(Angle) == 1) {
             const double D = ndf.D(lobe::half_vector(l, r));
-            asked = std::max(asked, std::abs((solid_angle + ...) * 256 * D / 16 - 1));
+            asked = larger(asked, std::abs((solid_angle + ...) * 256 * D / 16 - 1));
             ++count;
         }
         return 1.0;

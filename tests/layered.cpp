@@ -52,7 +52,7 @@ TEST_CASE("the price of 1 - F(v.h): a white base makes light", "[layered]") {
     CHECK(std::abs(fresnel_total(0.1, 0.1) - 1.26) < 0.005);
     double largest = 0;
     for (double a : {0.001, 0.01, 0.02, 0.05, 0.1, 0.3, 1.0})
-        for (double mu : {0.001, 0.01, 0.03, 0.1, 0.3, 1.0}) largest = std::max(largest, fresnel_total(a, mu));
+        for (double mu : {0.001, 0.01, 0.03, 0.1, 0.3, 1.0}) largest = larger(largest, fresnel_total(a, mu));
     // At grazing views of a smooth surface the lobe returns all and the base nearly all as well: the limit is 1 + what it returns at mu = 0.
     const lobe::coupled base{lambert{1.0}, lobe::fresnel_coupling{schlick{0.04}}};
     CHECK(largest < 1 + lobe::directional_albedo(base, 1e-6, {.order = 64}).value);
@@ -124,7 +124,7 @@ double worst_reciprocity(const B& brdf, std::uint64_t seed) {
     double worst = 0;
     for (int i = 0; i < 20000; ++i) {
         const auto v = random.grazing_direction(1e-3), l = random.grazing_direction(1e-3);
-        worst = std::max(worst, std::abs(brdf.f(v, l) / brdf.f(l, v) - 1));
+        worst = larger(worst, std::abs(brdf.f(v, l) / brdf.f(l, v) - 1));
     }
     return worst;
 }
@@ -152,7 +152,7 @@ TEST_CASE("f is the sum that the comment prints", "[layered]") {
     for (int i = 0; i < 1000; ++i) {
         const auto v = random.grazing_direction(1e-2), l = random.grazing_direction(1e-2);
         const auto compare = [&](double value, double specular, double share) {
-            worst = std::max(worst, std::abs(value / (specular + share * base.f(v, l)) - 1));
+            worst = larger(worst, std::abs(value / (specular + share * base.f(v, l)) - 1));
         };
         const double specular = gloss(0.2, 0.1).f(v, l), v_h = lobe::dot(v, lobe::half_vector(v, l));
         compare(fresnel.f(v, l), specular, 0.9 * (1 - std::pow(1 - v_h, 5.0)));
@@ -161,7 +161,7 @@ TEST_CASE("f is the sum that the comment prints", "[layered]") {
         const double share = 0.75 * (0.04 + 0.96 * std::pow(1 - v.z, 5.0));
         compare(coat.f(v, l), share * gloss(0.2, 1).f(v, l), 1 - share);
         for (const double by_f : {fresnel.f(v, l) * l.z / fresnel.f_cos(v, l), coat.f(v, l) * l.z / coat.f_cos(v, l)})
-            worst = std::max(worst, std::abs(by_f - 1));
+            worst = larger(worst, std::abs(by_f - 1));
     }
     CHECK(worst < 100 * 1.1e-16);  // ten roundings; 1 - F(v.h) amplifies those of v.h five times
 }
@@ -177,11 +177,11 @@ void expect_consistent_sampling(const B& brdf, const vec3<double>& v, double tol
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto s = brdf.sample(v, lobe::hammersley<double>(i, count));
         mean_weight += s.weight / count;
-        largest = std::max(largest, s.weight);
+        largest = larger(largest, s.weight);
         if (s.pdf == 0) continue;
         const auto e = brdf.evaluate(v, s.l);
-        worst = std::max({worst, std::abs(s.weight * s.pdf / brdf.f_cos(v, s.l) - 1), std::abs(s.pdf / brdf.pdf(v, s.l) - 1),
-                          std::abs(e.f_cos / brdf.f_cos(v, s.l) - 1), std::abs(e.pdf / s.pdf - 1)});
+        worst = larger({worst, std::abs(s.weight * s.pdf / brdf.f_cos(v, s.l) - 1), std::abs(s.pdf / brdf.pdf(v, s.l) - 1),
+                        std::abs(e.f_cos / brdf.f_cos(v, s.l) - 1), std::abs(e.pdf / s.pdf - 1)});
     }
     const double albedo = lobe::directional_albedo(brdf, v).value;
     INFO("mean weight " << mean_weight << " albedo " << albedo << " largest weight " << largest);
@@ -238,10 +238,10 @@ TEST_CASE("compositions: each lobe's part of the square has its share of the pdf
                 double pdf = 0;
                 brdf.for_each_lobe([&](const auto& lobe) {
                     const double part = p[i] / all * lobe.pdf(v, s.l);
-                    if (i++ == chosen) worst = std::max(worst, std::abs(part * jacobian(light, u) - 1));
+                    if (i++ == chosen) worst = larger(worst, std::abs(part * jacobian(light, u) - 1));
                     pdf += part;
                 });
-                total = std::max(total, std::abs(s.pdf / pdf - 1));
+                total = larger(total, std::abs(s.pdf / pdf - 1));
             }
         }
         INFO(worst << ' ' << total << " of " << tried);
@@ -334,7 +334,7 @@ TEST_CASE("glTF: metallic 1 is the bare metal, metallic 0 the dielectric", "[lay
         same = same && metal.sample(v, u).l == bare.sample(v, u).l;
         const float v_h = lobe::dot(v, lobe::half_vector(v, l)), Fc = std::pow(1 - v_h, 5.0f);
         const vec3<float> expected = polish.f(v, l) + gold * (0.96f * (1 - Fc) / static_cast<float>(pi)), got = plastic.f(v, l);
-        for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(static_cast<double>(got[c]) / static_cast<double>(expected[c]) - 1));
+        for (int c = 0; c < 3; ++c) worst = larger(worst, std::abs(static_cast<double>(got[c]) / static_cast<double>(expected[c]) - 1));
     }
     CHECK(same);
     CHECK(worst < 100 * 6e-8);
@@ -428,8 +428,9 @@ TEST_CASE("compositions on packs: lane by lane what one number gives", "[layered
             const vec3<double> vi{in[0][lane], in[1][lane], in[2][lane]};
             const auto one = narrow.sample(vi, {in[3][lane], in[4][lane]});
             const auto at = narrow.evaluate(vi, one.l);
-            worst = std::max({worst, std::abs(s.l.x.get(lane) - one.l.x), std::abs(s.weight.get(lane) - one.weight), std::abs(s.pdf.get(lane) - one.pdf),
-                              std::abs(e.pdf.get(lane) - at.pdf), std::abs(e.f_cos.get(lane) - at.f_cos)});
+            worst =
+                larger({worst, std::abs(s.l.x.get(lane) - one.l.x), std::abs(s.weight.get(lane) - one.weight),
+                        std::abs(s.pdf.get(lane) - one.pdf), std::abs(e.pdf.get(lane) - at.pdf), std::abs(e.f_cos.get(lane) - at.f_cos)});
         }
     }
     CHECK(worst < 1e-11);  // rounding, times the slope of a lobe of alpha 0.15: pdf up to 14

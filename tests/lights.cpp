@@ -60,7 +60,7 @@ TEST_CASE("the reflectance equation is f E cos, in any space", "[lights]") {
         const vec3<double> Lo = lobe::reflected_radiance(brdf, at, at.to_world(v), incident);
         const vec3<double> expected = brdf.f(v, l) * vec3<double>{1, 2, 3} * (l.z / lobe::dot(position, position));
         // two changes of frame move v and l by 1e-15, which D feels through 1/alpha = 3 and slopes up to 1/0.1
-        worst = std::max(worst, lobe::length(Lo - expected) / (lobe::length(expected) + 1e-9));
+        worst = larger(worst, lobe::length(Lo - expected) / (lobe::length(expected) + 1e-9));
     }
     CHECK(worst < 1e-11);
     // one number times a colour, either way round
@@ -96,8 +96,8 @@ TEST_CASE("the range window is KHR_lights_punctual's", "[lights]") {
         const float ratio = std::sqrt(d2) / range;
         // 1 - x magnifies the roundings of x = d2/range^2, 3 of them, by 1/(1-x)
         const double magnified = 1 + 1.0 / std::max(1e-7, 1 - static_cast<double>(ratio) * ratio);
-        worst = std::max(
-            worst, ulp_error(inverse_square_within{range}(d2), printed_window(std::sqrt(static_cast<long double>(d2)), range)) / magnified);
+        worst = larger(worst, ulp_error(inverse_square_within{range}(d2), printed_window(std::sqrt(static_cast<long double>(d2)), range)) /
+                                  magnified);
     }
     INFO(worst << " ULP / (1 - x)");
     CHECK(worst < 4);
@@ -118,7 +118,7 @@ TEST_CASE("the spot falloff is KHR_lights_punctual's", "[lights]") {
         const double phi = random.between(0, 6.28);
         const vec3<double> w = at.to_world({std::sin(angle) * std::cos(phi), std::sin(angle) * std::sin(phi), std::cos(angle)});
         // w is known to 1e-16, its angle from the axis to 4e-16/outer: so is t, over the width of the penumbra, (1 - 0.95^2)/2 of outer^2
-        worst = std::max(worst, std::abs(cone{inner, outer}(axis, w) - static_cast<double>(printed_spot(angle, inner, outer))) * outer);
+        worst = larger(worst, std::abs(cone{inner, outer}(axis, w) - static_cast<double>(printed_spot(angle, inner, outer))) * outer);
     }
     INFO(worst);
     CHECK(worst < 2 * 2 * 20 * 4e-16);
@@ -144,8 +144,7 @@ TEST_CASE("a narrow beam keeps its digits in float", "[lights]") {
         const float angle = 0.012f * static_cast<float>(i) / 1000;
         const vec3<float> w{std::sin(angle), 0, std::cos(angle)};
         const long double actual = std::atan2(static_cast<long double>(w.x), static_cast<long double>(w.z));
-        worst =
-            std::max(worst, std::abs(static_cast<double>(beam({0, 0, 1}, w)) - static_cast<double>(printed_spot(actual, 0.005f, 0.01f))));
+        worst = larger(worst, std::abs(static_cast<double>(beam({0, 0, 1}, w)) - static_cast<double>(printed_spot(actual, 0.005f, 0.01f))));
     }
     INFO(worst);
     CHECK(worst < 2e-6);  // x = |w - a|^2/2 is known to 3e-7 of itself, t to 4/3 of that, t^2 to twice

@@ -48,7 +48,7 @@ double worst_reciprocity(const B& brdf, std::uint64_t seed) {
     double worst = 0;
     for (int i = 0; i < 100000; ++i) {
         const auto v = random.grazing_direction<T>(1e-3), l = random.grazing_direction<T>(1e-3);
-        worst = std::max(worst, static_cast<double>(std::abs(brdf.f(v, l) / brdf.f(l, v) - 1)));
+        worst = larger(worst, static_cast<double>(std::abs(brdf.f(v, l) / brdf.f(l, v) - 1)));
     }
     return worst;
 }
@@ -63,8 +63,8 @@ TEST_CASE("f is the printed equation", "[microfacet]") {
         const vec3<double> v = random.grazing_direction(1e-3), l = random.grazing_direction(1e-3);
         const microfacet correlated{ggx{alpha_xy{ax, ay}}, smith_correlated{}, schlick{f0}};
         const microfacet separable{ggx{alpha_xy{ax, ay}}, smith_separable{}, schlick{f0}};
-        worst = std::max(worst, std::abs(correlated.f(v, l) / static_cast<double>(printed_f(ax, ay, f0, true, v, l)) - 1));
-        worst = std::max(worst, std::abs(separable.f(v, l) / static_cast<double>(printed_f(ax, ay, f0, false, v, l)) - 1));
+        worst = larger(worst, std::abs(correlated.f(v, l) / static_cast<double>(printed_f(ax, ay, f0, true, v, l)) - 1));
+        worst = larger(worst, std::abs(separable.f(v, l) / static_cast<double>(printed_f(ax, ay, f0, false, v, l)) - 1));
         CHECK(std::abs(correlated.f_cos(v, l) / (correlated.f(v, l) * l.z) - 1) < 1e-15);
     }
     // Both sides read v and l as given, whose rounding makes them 1e-16 off unit length; the printed v.h feels that 1/(v.h) times over.
@@ -168,7 +168,7 @@ TEST_CASE("a reflectance is never negative, though rounding takes v.m above 1", 
     float least = 1;
     for (int i = 0; i < 100000; ++i) {
         const auto v = random.grazing_direction<float>(1e-3);
-        least = std::min({least, black.f_cos(v, v), black.sample(v, {0, 0}).weight});
+        least = smaller(least, smaller(black.f_cos(v, v), black.sample(v, {0, 0}).weight));
     }
     CHECK(least >= 0);
 }
@@ -185,8 +185,8 @@ void expect_consistent_sampling(const B& brdf, const vec3<double>& v, std::uint3
         if (s.pdf == 0) continue;
         success += 1.0 / count;
         const auto e = brdf.evaluate(v, s.l);
-        shared = std::max({shared, std::abs(e.pdf / brdf.pdf(v, s.l) - 1), std::abs(e.f_cos / brdf.f_cos(v, s.l) - 1)});
-        worst = std::max({worst, std::abs(s.weight * s.pdf / e.f_cos - 1), std::abs(s.pdf / e.pdf - 1)});
+        shared = larger({shared, std::abs(e.pdf / brdf.pdf(v, s.l) - 1), std::abs(e.f_cos / brdf.f_cos(v, s.l) - 1)});
+        worst = larger({worst, std::abs(s.weight * s.pdf / e.f_cos - 1), std::abs(s.pdf / e.pdf - 1)});
     }
     const auto albedo = lobe::directional_albedo(brdf, v);
     const auto pdf = lobe::hemisphere_integral([&](const vec3<double>& l) { return brdf.pdf(v, l); }, v, brdf.width(), false);

@@ -23,7 +23,7 @@ vec3<double> tilted_exactly(double s, long double phi = 0) {
         const vec3<double> m{static_cast<double>(k * x), static_cast<double>(k * y), static_cast<double>(k * c)};
         long double error = 0;
         for (const auto& [rounded, exact] : {std::pair{m.x, k * x}, std::pair{m.y, k * y}, std::pair{m.z, k * c}})
-            if (exact != 0) error = std::max(error, std::abs(static_cast<long double>(rounded) / exact - 1));
+            if (exact != 0) error = larger(error, std::abs(static_cast<long double>(rounded) / exact - 1));
         if (error < least) {
             least = error;
             best = m;
@@ -159,9 +159,9 @@ TEST_CASE("every distribution: D agrees with the 50-digit tables at the extremes
             if (exact < 1e-290) return value < 1e-289 ? 0 : 1e9;
             return ulp_error(value, exact) / allowed(exact, peak);
         };
-        beckmann = std::max(beckmann, worst(lobe::beckmann{alpha{a}}.D(m), row[3]));
-        blinn = std::max(blinn, worst(lobe::blinn_phong{alpha{a}}.D(m), row[4]));
-        anisotropic = std::max(anisotropic, worst(lobe::beckmann{alpha_xy{a, a}}.D(m), row[3]));
+        beckmann = larger(beckmann, worst(lobe::beckmann{alpha{a}}.D(m), row[3]));
+        blinn = larger(blinn, worst(lobe::blinn_phong{alpha{a}}.D(m), row[4]));
+        anisotropic = larger(anisotropic, worst(lobe::beckmann{alpha_xy{a, a}}.D(m), row[3]));
     }
     for (const auto& row : reference_table("ndf_extreme_aniso.csv")) {
         const bool right = row[3] == 90;  // whose cosine is exactly zero
@@ -171,7 +171,7 @@ TEST_CASE("every distribution: D agrees with the 50-digit tables at the extremes
         if (exact < 1e-290)
             CHECK(value < 1e-289);
         else
-            anisotropic = std::max(anisotropic, ulp_error(value, exact) / allowed(exact, 1 / (pi * row[0] * row[1])));
+            anisotropic = larger(anisotropic, ulp_error(value, exact) / allowed(exact, 1 / (pi * row[0] * row[1])));
     }
     INFO("of what is allowed: " << beckmann << ", Blinn-Phong " << blinn << ", anisotropic " << anisotropic);
     CHECK(beckmann <= 1);
@@ -186,11 +186,11 @@ TEST_CASE("Lambda of Beckmann agrees with the 60-digit table, and Walter's fit w
         const vec3<double> v = at_cosine(mu);
         const lobe::beckmann ndf{alpha{row[1]}};
         if (a <= 8)
-            worst = std::max(worst, std::abs(ndf.lambda(v) / row[4] - 1));
+            worst = larger(worst, std::abs(ndf.lambda(v) / row[4] - 1));
         else
-            far = std::max(far, std::abs(ndf.lambda(v) - row[4]));
-        worst_G1 = std::max(worst_G1, ulp_error(mu / ndf.projected_area(v), row[5]));
-        worst_walter = std::max(worst_walter, ulp_error(mu / lobe::beckmann_walter{alpha{row[1]}}.projected_area(v), row[6]));
+            far = larger(far, std::abs(ndf.lambda(v) - row[4]));
+        worst_G1 = larger(worst_G1, ulp_error(mu / ndf.projected_area(v), row[5]));
+        worst_walter = larger(worst_walter, ulp_error(mu / lobe::beckmann_walter{alpha{row[1]}}.projected_area(v), row[6]));
     }
     INFO("Lambda " << worst << " relative, beyond a = 8 " << far << "; G1 " << worst_G1 << " ULP, Walter's " << worst_walter << " ULP");
     CHECK(worst < 9e-14);
@@ -203,7 +203,7 @@ TEST_CASE("Lambda of Beckmann agrees with the 60-digit table, and Walter's fit w
     for (double a = 0.01; a < 4; a += 0.001) {
         const vec3<double> v = lobe::normalize(vec3<double>{0.5, 0, 0.5 * a * 0.3});
         const double exact = lobe::beckmann{alpha{0.3}}.projected_area(v), approximate = lobe::beckmann_walter{alpha{0.3}}.projected_area(v);
-        fit = std::max(fit, std::abs(exact / approximate - 1));
+        fit = larger(fit, std::abs(exact / approximate - 1));
     }
     CHECK(fit == Catch::Approx(0.00313).epsilon(0.01));
     CHECK_FALSE(lobe::visibly_samplable_distribution<decltype(lobe::beckmann_walter{alpha{0.3}})>);
@@ -221,8 +221,8 @@ TEST_CASE("every distribution: projected_area is the area of the facets that fac
                          above = std::abs(ndf.projected_area(w) - w.z - away);
             INFO("w.z " << w.z << ": " << ndf.projected_area(-w) << " against " << away);
             double& so_far = stated == closed_error ? worst : worst_table;
-            so_far = std::max(so_far, std::max(above, below) / allowed_area_error(ndf, stated));
-            CHECK(std::max(above, below) < allowed_area_error(ndf, stated));
+            so_far = larger(so_far, larger(above, below) / allowed_area_error(ndf, stated));
+            CHECK(larger(above, below) < allowed_area_error(ndf, stated));
         }
     };
     for (double a : {0.001, 0.01, 0.1, 0.5, 1.0}) {
@@ -236,7 +236,7 @@ TEST_CASE("every distribution: projected_area is the area of the facets that fac
         });
     }
     INFO("of what is stated: closed " << worst << ", tables " << worst_table);
-    CHECK(std::max(worst, worst_table) < 1);
+    CHECK(larger(worst, worst_table) < 1);
 }
 
 namespace {
@@ -267,7 +267,7 @@ TEST_CASE("tables of projected areas: between the nodes as stated, and never off
             double worst = 0;
             for (int i = 0; i < 500; ++i) {
                 const double w = (i + 0.37) / 500, q = w / (1 - w), cot = 2 * horizon * q * q;
-                worst = std::max(worst, std::abs(table_of.back(cot) - lobe::detail::back_by_quadrature(shape, cot).value));
+                worst = larger(worst, std::abs(table_of.back(cot) - lobe::detail::back_by_quadrature(shape, cot).value));
             }
             INFO(name << " alpha " << a << ": " << worst / horizon << " of the area along the horizon, absolute " << worst * a);
             CHECK(worst <= stated * horizon);
@@ -290,8 +290,8 @@ TEST_CASE("tables of projected areas in float are those in double", "[ndf]") {
                 const vec3<float> w = (i % 2 ? 1.0f : -1.0f) * (i % 4 < 2 ? random.grazing_direction<float>(1e-6) : random.direction<float>());
                 const float area = narrow.projected_area(w);
                 finite = finite && std::isfinite(area) && area >= 0 && std::isfinite(narrow.lambda(w));
-                worst = std::max(worst, std::abs(static_cast<double>(area) - exact.projected_area(vec3<double>(w))) /
-                                            (std::max(0.0, static_cast<double>(w.z)) + horizon));
+                worst = larger(worst, std::abs(static_cast<double>(area) - exact.projected_area(vec3<double>(w))) /
+                                          (std::max(0.0, static_cast<double>(w.z)) + horizon));
             }
             for (const vec3<float>& w : {vec3<float>{0, 0, 1}, vec3<float>{0, 0, -1}, vec3<float>{1, 0, 0}, vec3<float>{0, -1, 0}, vec3<float>{1e-30f, 0, 1}})
                 finite = finite && std::isfinite(narrow.projected_area(w)) && narrow.projected_area(w) >= 0;
@@ -354,25 +354,27 @@ TEST_CASE("limits: families meet", "[ndf]") {
         const double a = random.log_between(1e-3, 1);
         const vec3<double> m = random.grazing_direction(1e-3), w = random.direction();
         const lobe::ggx ggx{alpha{a}};
-        ggx_D = std::max({ggx_D, ulp_error(lobe::student_t{alpha{a}, 2.0}.D(m), ggx.D(m)), ulp_error(lobe::gtr{alpha{a}, 2.0}.D(m), ggx.D(m)),
-                          ulp_error(lobe::hyper_cauchy{alpha{a}, 2.0}.D(m), ggx.D(m))});
-        ggx_area = std::max(ggx_area, std::abs(lobe::student_t{alpha{a}, 2.0}.projected_area(w) - ggx.projected_area(w)) / (a + 0.1 * std::abs(w.z)));
-        gtr_area = std::max(gtr_area, std::abs(lobe::gtr{alpha{a}, 2.0}.projected_area(w) - ggx.projected_area(w)) / a);
+        ggx_D = larger({ggx_D, ulp_error(lobe::student_t{alpha{a}, 2.0}.D(m), ggx.D(m)), ulp_error(lobe::gtr{alpha{a}, 2.0}.D(m), ggx.D(m)),
+                        ulp_error(lobe::hyper_cauchy{alpha{a}, 2.0}.D(m), ggx.D(m))});
+        ggx_area = larger(ggx_area,
+                          std::abs(lobe::student_t{alpha{a}, 2.0}.projected_area(w) - ggx.projected_area(w)) / (a + 0.1 * std::abs(w.z)));
+        gtr_area = larger(gtr_area, std::abs(lobe::gtr{alpha{a}, 2.0}.projected_area(w) - ggx.projected_area(w)) / a);
 
         const lobe::beckmann beckmann{alpha{a}};
         const lobe::exponential_power epd{alpha{a}, 1.0};
-        if (beckmann.D(m) > 1e-290) beckmann_D = std::max(beckmann_D, ulp_error(epd.D(m), beckmann.D(m)));
-        beckmann_area = std::max(beckmann_area, std::abs(epd.projected_area(w) - beckmann.projected_area(w)) / a);
+        if (beckmann.D(m) > 1e-290) beckmann_D = larger(beckmann_D, ulp_error(epd.D(m), beckmann.D(m)));
+        beckmann_area = larger(beckmann_area, std::abs(epd.projected_area(w) - beckmann.projected_area(w)) / a);
         // STD of a large gamma: D and sigma differ from Beckmann's by a few 1/gamma of the peak
         const lobe::student_t std{alpha{a}, 1e6};
-        large = std::max({large, std::abs(std.D(m) - beckmann.D(m)) * pi * a * a, std::abs(std.projected_area(w) - beckmann.projected_area(w)) / a});
+        large = larger(
+            {large, std::abs(std.D(m) - beckmann.D(m)) * pi * a * a, std::abs(std.projected_area(w) - beckmann.projected_area(w)) / a});
         // Blinn-Phong is Student-t of gamma = 1/alpha^2 + 1
         if (a > 0.03) {
             const lobe::student_t same{alpha{a}, 1 / (a * a) + 1};
-            blinn = std::max(blinn, std::abs(lobe::blinn_phong{alpha{a}}.D(m) - same.D(m)) * pi * a * a);
+            blinn = larger(blinn, std::abs(lobe::blinn_phong{alpha{a}}.D(m) - same.D(m)) * pi * a * a);
         }
         // anisotropic of equal widths
-        equal = std::max(equal, std::abs(lobe::student_t{alpha_xy{a, a}, 2.5}.D(m) / lobe::student_t{alpha{a}, 2.5}.D(m) - 1));
+        equal = larger(equal, std::abs(lobe::student_t{alpha_xy{a, a}, 2.5}.D(m) / lobe::student_t{alpha{a}, 2.5}.D(m) - 1));
         CHECK(lobe::beckmann{alpha_xy{a, a}}.projected_area(w) == beckmann.projected_area(w));
         CHECK(lobe::exponential_power{alpha_xy{a, a}, 1.0}.projected_area(w) == epd.projected_area(w));
         const vec2<double> u{random(), random()};

@@ -42,9 +42,9 @@ area_errors worst_area(T a, const Make& make, double least_lambda) {
         if (!(z < 1)) break;
         const T s = std::sqrt((1 - z) * (1 + z));
         const vec3<real> w{s, 0, z};
-        worst.area = std::max(worst.area, static_cast<double>(std::abs(ndf.projected_area({s, 0, z}) / exact.projected_area(w) - 1)));
+        worst.area = larger(worst.area, static_cast<double>(std::abs(ndf.projected_area({s, 0, z}) / exact.projected_area(w) - 1)));
         const real lambda = exact.lambda(w);
-        if (lambda > least_lambda) worst.lambda = std::max(worst.lambda, static_cast<double>(std::abs(ndf.lambda({s, 0, z}) / lambda - 1)));
+        if (lambda > least_lambda) worst.lambda = larger(worst.lambda, static_cast<double>(std::abs(ndf.lambda({s, 0, z}) / lambda - 1)));
     }
     return worst;
 }
@@ -82,7 +82,7 @@ TEST_CASE("exponential power draws the slopes of its own distribution for every 
     for (double p : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 5.5, 6.0, 8.0, 10.0, 50.0}) {
         const lobe::exponential_power_shape<double> shape(p);
         for (double u : {1e-6, 0.01, 0.3, 0.49, 0.5, 0.51, 0.55, 0.6, 0.7, 0.9, 0.999, 1 - 1e-9})
-            worst = std::max(worst, std::abs(1 - shape.survival(shape.tan2(u)) - u));
+            worst = larger(worst, std::abs(1 - shape.survival(shape.tan2(u)) - u));
         // even slopes within a disk of slope 1 in the limit of large p: tan^2 = u
         if (p == 50) CHECK(shape.tan2(0.25) == Catch::Approx(0.25 / std::tgamma(1 - 1 / (p + 1))).epsilon(0.01));
     }
@@ -106,7 +106,8 @@ TEST_CASE("rounding of D at wide widths and small exponents", "[ndf_extremes]") 
                 const double D = static_cast<double>(lobe::radial_profile<decltype(exact), real>(exact).D(wide, alpha<real>(a)));
                 if (!(D > 1e-35)) continue;
                 const float value = lobe::radial_profile<decltype(shape), float>(shape).D(m, alpha<float>(a));
-                worst_abc = std::max(worst_abc, ulp_error(value, D) / (8 * (1 + std::abs(std::log(D * pi * static_cast<double>(a) * static_cast<double>(a))))));
+                worst_abc = larger(worst_abc, ulp_error(value, D) /
+                                                  (8 * (1 + std::abs(std::log(D * pi * static_cast<double>(a) * static_cast<double>(a))))));
             }
         }
     INFO("abc: " << worst_abc << " of what is stated");
@@ -124,7 +125,8 @@ TEST_CASE("rounding of D at wide widths and small exponents", "[ndf_extremes]") 
                 const double D = static_cast<double>(lobe::radial_profile<decltype(exact), real>(exact).D(wide, alpha<real>(a)));
                 if (!(D * std::min(1.0, static_cast<double>(a) * static_cast<double>(a)) > 1e-36)) continue;
                 const float value = lobe::radial_profile<decltype(shape), float>(shape).D(m, alpha<float>(a));
-                worst_power = std::max(worst_power, ulp_error(value, D) / (8 * std::max(1.0, static_cast<double>(p)) * (1 + std::pow(slope, 2 * static_cast<double>(p)))));
+                worst_power = larger(worst_power, ulp_error(value, D) / (8 * std::max(1.0, static_cast<double>(p)) *
+                                                                         (1 + std::pow(slope, 2 * static_cast<double>(p)))));
             }
         }
     INFO("exponential_power: " << worst_power << " of what is stated");

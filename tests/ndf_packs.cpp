@@ -17,7 +17,7 @@ void compare_packs(double tolerance) {
         double worst = 0;
         for (std::size_t i = 0; i < Pack::size; ++i) {
             const double exact = static_cast<double>(one(i));
-            worst = std::max(worst, std::abs(static_cast<double>(wide.get(i)) - exact) / std::max(std::abs(exact), floor));
+            worst = larger(worst, std::abs(static_cast<double>(wide.get(i)) - exact) / std::max(std::abs(exact), floor));
         }
         return worst;
     };
@@ -39,14 +39,16 @@ void compare_packs(double tolerance) {
         const lobe::alpha_xy<T> axy(T(0.4), T(0.7));
         const lobe::alpha_xy<Pack> axyw(Pack(T(0.4)), Pack(T(0.7)));
         const auto compare = [&](const auto& wide, const auto& one) {
-            D = std::max(D, worst_of(wide.D(m), [&](std::size_t i) { return one.D(lanes[i]); }));
+            D = larger(D, worst_of(wide.D(m), [&](std::size_t i) { return one.D(lanes[i]); }));
         };
         const auto compare_area = [&](const auto& wide, const auto& one) {
-            area = std::max(area, worst_of(wide.projected_area(m), [&](std::size_t i) { return one.projected_area(lanes[i]); }, 1));
-            area = std::max(area, worst_of(wide.projected_area(-m), [&](std::size_t i) { return one.projected_area(-lanes[i]); }, 1));
+            area = larger(area, worst_of(
+                                    wide.projected_area(m), [&](std::size_t i) { return one.projected_area(lanes[i]); }, 1));
+            area = larger(area, worst_of(
+                                    wide.projected_area(-m), [&](std::size_t i) { return one.projected_area(-lanes[i]); }, 1));
         };
         const auto compare_samples = [&](const auto& wide, const auto& one) {
-            samples = std::max(samples, worst_of(wide.sample(u).z, [&](std::size_t i) { return one.sample(us[i]).z; }));
+            samples = larger(samples, worst_of(wide.sample(u).z, [&](std::size_t i) { return one.sample(us[i]).z; }));
         };
         compare(lobe::beckmann{axyw}, lobe::beckmann{axy});
         compare_area(lobe::beckmann{axyw}, lobe::beckmann{axy});
@@ -66,8 +68,9 @@ void compare_packs(double tolerance) {
         compare_samples(lobe::radial{lobe::gtr_shape<Pack>(Pack(T(0.4)), Pack(T(1))), aw}, lobe::radial{lobe::gtr_shape<T>(T(0.4), T(1)), a});
         compare(lobe::radial{lobe::phong_shape<Pack>(Pack(T(0.4))), aw}, lobe::radial{lobe::phong_shape<T>(T(0.4)), a});
         compare(lobe::sggx{axyw}, lobe::sggx{axy});
-        samples = std::max(samples, worst_of(lobe::sggx{axyw}.sample_visible(m, u).z,
-                                             [&](std::size_t i) { return lobe::sggx{axy}.sample_visible(lanes[i], us[i]).z; }) / 1000);
+        samples = larger(samples, worst_of(lobe::sggx{axyw}.sample_visible(m, u).z, [&](std::size_t i) {
+                                      return lobe::sggx{axy}.sample_visible(lanes[i], us[i]).z;
+                                  }) / 1000);
     }
     INFO("relative: D " << D << ", areas " << area << ", samples " << samples);
     CHECK(D < tolerance);

@@ -24,7 +24,7 @@ double jacobian_error(Map map, Pdf pdf, std::uint64_t seed, int count, std::vect
         bool smooth = true;
         for (double x : kinks) smooth = smooth && std::abs(u.x - x) > 0.01;
         if (!smooth) continue;
-        worst = std::max(worst, std::abs(pdf(map(u)) * jacobian(map, u) - 1));
+        worst = larger(worst, std::abs(pdf(map(u)) * jacobian(map, u) - 1));
     }
     return worst;
 }
@@ -49,7 +49,7 @@ void expect_energy(const B& brdf, const vec3<double>& v, std::uint32_t count, do
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto s = brdf.sample(v, lobe::hammersley<double>(i, count));
         mean += s.weight / count;
-        if (s.pdf > 0) worst = std::max(worst, std::abs(s.weight * s.pdf / brdf.f_cos(v, s.l) - 1));
+        if (s.pdf > 0) worst = larger(worst, std::abs(s.weight * s.pdf / brdf.f_cos(v, s.l) - 1));
     }
     const auto albedo = lobe::directional_albedo(brdf, v);
     INFO("mean weight " << mean << ", albedo " << albedo.value << " +- " << albedo.error);

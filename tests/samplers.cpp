@@ -74,7 +74,7 @@ double jacobian_error(const B& brdf, const Sampler& sampler, const situation& s,
         const vec3<double> l = light(u);
         if (!(l.z > 1e-3)) continue;
         ++tried;
-        worst = std::max(worst, std::abs(brdf.pdf(v, l) * jacobian(light, u) - 1));
+        worst = larger(worst, std::abs(brdf.pdf(v, l) * jacobian(light, u) - 1));
     }
     return tried ? worst : 1;
 }
@@ -105,7 +105,7 @@ moments of_weights(const B& brdf, const vec3<double>& v, std::uint32_t count) {
         const double step = s.weight - m.mean;  // Welford's sums
         m.mean += step / (i + 1);
         m.variance += step * (s.weight - m.mean);
-        m.largest = std::max(m.largest, s.weight);
+        m.largest = larger(m.largest, s.weight);
         if (!(s.pdf > 0)) m.failed += 1.0 / count;
     }
     m.variance /= count;
@@ -141,9 +141,9 @@ TEST_CASE("weight * pdf is f_cos, and the mean of the weights the albedo", "[sam
                 // l is known to 2e-16, so the slopes of v + l to 2e-16/(s.z alpha), which D feels fourfold, D^2 over 1 + slope^2/alpha^2.
                 const double conditioning =
                     1 + 4 / ((v.z + drawn.l.z) * std::min(s.ax, s.ay)) + 4 / (v.z + drawn.l.z) / lobe::length(v + drawn.l);
-                product = std::max(product, std::abs(drawn.weight * drawn.pdf / e.f_cos - 1) / conditioning);
-                density = std::max(density, std::abs(drawn.pdf / e.pdf - 1) / conditioning);
-                shared = std::max({shared, std::abs(e.pdf / brdf.pdf(v, drawn.l) - 1), std::abs(e.f_cos / brdf.f_cos(v, drawn.l) - 1)});
+                product = larger(product, std::abs(drawn.weight * drawn.pdf / e.f_cos - 1) / conditioning);
+                density = larger(density, std::abs(drawn.pdf / e.pdf - 1) / conditioning);
+                shared = larger({shared, std::abs(e.pdf / brdf.pdf(v, drawn.l) - 1), std::abs(e.f_cos / brdf.f_cos(v, drawn.l) - 1)});
             }
             const moments m = of_weights(brdf, v, count);
             const double albedo = lobe::directional_albedo(brdf, v, {.tolerance = 1e-7}).value;
@@ -226,7 +226,7 @@ TEST_CASE("bounded caps: by hand, and no light direction is left out", "[sampler
         const vec3<double> M = lobe::normalize(vec3<double>{h.x / ax, h.y / ay, h.z}),
                            V = lobe::normalize(vec3<double>{ax * v.x, ay * v.y, v.z});
         const double a = std::min({ax, ay, 1.0}), s = 1 + std::hypot(v.x, v.y), k = (1 - a * a) * s * s / (s * s + a * a * v.z * v.z);
-        slack = std::min(slack, (2 * lobe::dot(V, M) * M - V).z + k * V.z);
+        slack = smaller(slack, (2 * lobe::dot(V, M) * M - V).z + k * V.z);
     }
     INFO(slack);
     CHECK(slack > -1e-12);
@@ -249,9 +249,9 @@ TEST_CASE("samplers in float: angles at the smallest alpha, unit normals at the 
                         const vec3<float> m = sampler.sample(ndf, v, vec2<float>{x, y});
                         const microfacet brdf{ndf, lobe::smith_correlated{}, lobe::perfect_reflector{}, sampler};
                         const auto s = brdf.sample(v, {x, y});
-                        unit = std::max(unit, std::abs(static_cast<double>(lobe::length(m)) - 1));
-                        below = std::min(below, static_cast<double>(m.z));
-                        facing = std::min(facing, static_cast<double>(lobe::dot(v, m)));
+                        unit = larger(unit, std::abs(static_cast<double>(lobe::length(m)) - 1));
+                        below = smaller(below, static_cast<double>(m.z));
+                        facing = smaller(facing, static_cast<double>(lobe::dot(v, m)));
                         finite =
                             finite && std::isfinite(m.x) && std::isfinite(s.weight) && std::isfinite(s.pdf) && s.weight >= 0 && s.pdf >= 0;
                     }
@@ -277,10 +277,10 @@ TEST_CASE("samplers in float: angles at the smallest alpha, unit normals at the 
             // A cap's normal is the sum of the view and of a direction on the cap, of length 2 cos, each with an error of 1 ULP.
             const vec3<double> M = lobe::normalize(vec3<double>{exact.x, exact.y, wide * exact.z});
             const vec3<double> V = lobe::normalize(vec3<double>{wide * view.x, wide * view.y, view.z});
-            worst = std::max(worst, error);
-            conditioned = std::max(conditioned, error / (1 + 1 / std::max(1e-9, lobe::dot(M, V))));
+            worst = larger(worst, error);
+            conditioned = larger(conditioned, error / (1 + 1 / std::max(1e-9, lobe::dot(M, V))));
             if (i % 2) {
-                smallest = std::max(smallest, error);
+                smallest = larger(smallest, error);
                 angles.insert(static_cast<float>(std::hypot(m.x, m.y)));
             }
         }
@@ -319,10 +319,10 @@ TEST_CASE("Heitz's sampler is the printed one, without its cancellations", "[sam
                            V = lobe::normalize(vec3<double>{wx * view.x, wy * view.y, view.z});
         // In double where the printed form does not cancel; the angle feels an error of M at most max(a)/min(a) times over.
         if (lobe::dot(M, V) > 0.1 && M.z > 0.1)
-            in_double = std::max(in_double, angle(m, printed(wx, wy, view, vec2<double>(u))) * std::min(wx, wy) / std::max(wx, wy));
+            in_double = larger(in_double, angle(m, printed(wx, wy, view, vec2<double>(u))) * std::min(wx, wy) / std::max(wx, wy));
         if (i % 2 == 0) continue;
-        in_float = std::max(in_float, angle(m, vec3<double>(printed(ax, ay, v, u))));
-        ours = std::max(ours, angle(m, vec3<double>(visible_heitz2018{}.sample(ggx{alpha_xy{ax, ay}}, v, u))));
+        in_float = larger(in_float, angle(m, vec3<double>(printed(ax, ay, v, u))));
+        ours = larger(ours, angle(m, vec3<double>(visible_heitz2018{}.sample(ggx{alpha_xy{ax, ay}}, v, u))));
     }
     INFO("printed against ours in double " << in_double << "; in float " << in_float << ", ours " << ours);
     CHECK(in_double < 1e-14);  // tens of roundings of 1e-16, up to 10 times over
@@ -397,8 +397,8 @@ TEST_CASE("samplers on packs give what their lanes give", "[samplers]") {
                     if (expected.l.z < 0.999f && expected.l.z > 1e-5f) worst = 1;
                     continue;
                 }
-                worst = std::max({worst, static_cast<double>(std::abs(s.l.x.get(i) - expected.l.x)),
-                                  static_cast<double>(std::abs(s.weight.get(i) - expected.weight))});
+                worst = larger({worst, static_cast<double>(std::abs(s.l.x.get(i) - expected.l.x)),
+                                static_cast<double>(std::abs(s.weight.get(i) - expected.weight))});
             }
         }
         INFO(name << ' ' << worst);

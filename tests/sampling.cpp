@@ -72,7 +72,7 @@ std::pair<double, double> check_warp(Map map, Pdf pdf, Inverse inverse) {
     for (int k = 0; k < 20000; ++k) {
         const vec2<double> u{random.between(1e-3, 1 - 1e-3), random.between(1e-3, 1 - 1e-3)};
         const auto back = inverse(map(u));
-        round_trip = std::max({round_trip, std::abs(back.x - u.x), std::abs(back.y - u.y)});
+        round_trip = larger({round_trip, std::abs(back.x - u.x), std::abs(back.y - u.y)});
         if (std::abs(u.x - 0.5) < 1e-2 || std::abs(u.y - 0.5) < 1e-2 || std::abs(u.x - u.y) < 1e-4 || std::abs(u.x + u.y - 1) < 1e-4)
             continue;  // the creases of the concentric map
         const auto dx = (map(vec2<double>{u.x + h, u.y}) - map(vec2<double>{u.x - h, u.y})) / (2 * h);
@@ -82,7 +82,7 @@ std::pair<double, double> check_warp(Map map, Pdf pdf, Inverse inverse) {
             area = lobe::length(lobe::cross(dx, dy));
         else
             area = std::abs(dx.x * dy.y - dx.y * dy.x);
-        density = std::max(density, std::abs(pdf(map(u)) * area - 1));
+        density = larger(density, std::abs(pdf(map(u)) * area - 1));
     }
     return {density, round_trip};
 }

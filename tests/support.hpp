@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <initializer_list>
 #include <limits>
 #include <random>
 #include <sstream>
@@ -36,6 +37,22 @@ inline std::vector<std::vector<double>> reference_table(const std::string& name)
     }
     if (rows.empty()) throw std::runtime_error("empty reference table " + name);
     return rows;
+}
+
+/// The larger, the smaller; a NaN if one is. (std::max(worst, NaN) is worst, and an error that is a NaN would pass.)
+template <class T>
+T larger(T a, T b) {
+    return a < b || b != b ? b : a;
+}
+template <class T>
+T smaller(T a, T b) {
+    return b < a || b != b ? b : a;
+}
+template <class T>
+T larger(std::initializer_list<T> values) {
+    T largest = *values.begin();
+    for (const T& value : values) largest = larger(largest, value);
+    return largest;
 }
 
 /// |value - exact| in units of the last place of T at `exact`.

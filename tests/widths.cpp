@@ -23,11 +23,11 @@ TEST_CASE("identities of the anisotropic parametrisations", "[widths]") {
                    openpbr = alpha_xy<double>::from_openpbr(r, a);
         // x y = r^4; (x + y)/2 = r^2; x^2 + y^2 = 2 r^4: each a few roundings
         worst =
-            std::max({worst, std::abs(disney.x() * disney.y() / (r2 * r2) - 1), std::abs((imageworks.x() + imageworks.y()) / (2 * r2) - 1),
-                      std::abs((openpbr.x() * openpbr.x() + openpbr.y() * openpbr.y()) / (2 * r2 * r2) - 1)});
+            larger({worst, std::abs(disney.x() * disney.y() / (r2 * r2) - 1), std::abs((imageworks.x() + imageworks.y()) / (2 * r2) - 1),
+                    std::abs((openpbr.x() * openpbr.x() + openpbr.y() * openpbr.y()) / (2 * r2 * r2) - 1)});
         // and what tells them apart from others with the same identity: the ratio
-        worst = std::max({worst, std::abs(disney.y() / disney.x() / (1 - 0.9 * a) - 1), std::abs(openpbr.y() / openpbr.x() / (1 - a) - 1),
-                          std::abs((imageworks.x() - imageworks.y()) / r2 - 2 * (2 * a - 1)) / 4});
+        worst = larger({worst, std::abs(disney.y() / disney.x() / (1 - 0.9 * a) - 1), std::abs(openpbr.y() / openpbr.x() / (1 - a) - 1),
+                        std::abs((imageworks.x() - imageworks.y()) / r2 - 2 * (2 * a - 1)) / 4});
     }
     INFO(worst / epsilon);
     CHECK(worst < 12 * epsilon);

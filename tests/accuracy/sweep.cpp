@@ -31,7 +31,7 @@ found sweep(int function, std::uint32_t first, std::uint32_t last, std::uint32_t
         accuracy::sweep_errors(function, u.data(), values.data(), errors.data(), n);
         for (std::size_t i = 0; i < n; ++i) {
             all.sum += errors[i];
-            if (!(errors[i] <= all.worst)) all.worst = errors[i], all.at = u[i];
+            if (errors[i] > all.worst) all.worst = errors[i], all.at = u[i];  // never a NaN
         }
         all.points += static_cast<long>(n);
     }

@@ -49,7 +49,12 @@ void check_distribution(const N& ndf, const facts& facts, const lobe::vec3<T>& v
     const T D = lobe::max(m.z, -m.z) < lowest_normal<T> ? T(0) : ndf.D(m);
     expect_light("D", D);
     if (m.z < T(0)) expect(D == T(0), "D below the horizon", D);
-    if (m.z >= static_cast<T>(1e-6)) expect_near("D of any multiple of m", ndf.D(T(4) * m), D, fast_math ? T(same) * r * D : T(0));
+    if (m.z >= static_cast<T>(1e-6)) {
+        const lobe::vec2<T> a = ndf.width();
+        T exponent(1);
+        if (facts.exponential && D > T(0)) exponent += std::abs(std::log(D)) + std::abs(std::log(a.x * a.y)) + std::abs(T(4) * std::log(m.z));
+        expect_near("D of any multiple of m", ndf.D(T(3) * m), D, T(fast_math ? 64 : 24) * r * exponent * D + underflow(a, m, m));
+    }
     const T area = ndf.projected_area(v), behind = ndf.projected_area(-v);
     evaluations += 4;
     if (!facts.fitted_area) {
@@ -59,6 +64,7 @@ void check_distribution(const N& ndf, const facts& facts, const lobe::vec3<T>& v
         if (v.z > T(0)) {
             const T lambda = ndf.lambda(v);
             expect_light("Lambda", lambda);
+            expect_near("area = cos (1 + Lambda)", area, v.z + v.z * lambda, T(64) * r * area);
             evaluations += 1;
         }
     }

@@ -34,5 +34,9 @@ int main(int argc, char** argv) {
         std::memcpy(bytes, &hash, 8);
         LLVMFuzzerTestOneInput(bytes, 8);
     }
+    if (20 * fuzz::unresolved > fuzz::evaluations) {
+        std::fprintf(stderr, "one comparison in twenty evaluations left to rounding: nothing is tested\n");
+        return 1;
+    }
     std::printf("%zu files, %llu hashed inputs\n", files, static_cast<unsigned long long>(inputs));
 }

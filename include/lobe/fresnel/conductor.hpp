@@ -30,7 +30,8 @@ struct gauss_32 {
 /// computed and the smaller is (eta k)^2 over it; a - c is (a^2 - c^2)/(a + c). So nothing cancels, and k = 0 is `dielectric`.
 /// eta, k relative to the medium outside (under a coat of index n: eta/n, k/n); one number each, or vec3 for three wavelengths.
 /// Domain: eta in [0.001, 1e9], k in [0, 1e9] (fourth powers have to fit; a perfect mirror is `perfect_reflector`); c in [0,1].
-/// Error: 8 ULP for eta in [0.3,10], metals (k >= 0.5) 5; for k near 0 with the exception that `dielectric` has.
+/// Error: metals (k >= 0.5, eta in [0.3,10]) 9 ULP, weaker absorbers 12 for eta in [1,10]. For eta < 1 and k near 0 the critical angle
+/// of `dielectric` shows: 14 ULP at k = 0.1, 80 at 0.01, 300 at 0.001, and at k = 0 as there.
 template <class S>
 class conductor {
     using T = detail::component_t<S>;
@@ -72,7 +73,7 @@ public:
 private:
     [[gnu::always_inline]] static constexpr T reflectance(const T& n, const T& kappa, const T& c) {
         using std::sqrt;
-        const T c2 = c * c, s2 = (T(1) - c) * (T(1) + c), e = (n - T(1)) * (n + T(1)), ab = n * kappa;
+        const T d = n - T(1), e = d * d + T(2) * d, c2 = c * c, s2 = (T(1) - c) * (T(1) + c), ab = n * kappa;
         const T q = e + c2 - kappa * kappa;  // a^2 - b^2
         const T larger = (sqrt(q * q + T(4) * ab * ab) + select(q < T(0), -q, q)) / T(2);
         const T smaller = ab * ab / select(larger > T(0), larger, T(1));

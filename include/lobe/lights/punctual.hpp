@@ -70,8 +70,9 @@ struct inverse_square {
 template <scalar T>
 class inverse_square_within {
 public:
-    constexpr explicit inverse_square_within(const T& range) : inverse_range2(T(1) / (range * range)) {
+    constexpr explicit inverse_square_within(const T& range) : inverse_range2() {
         assert(all(range > T(0)) && "inverse_square_within: the range must be above 0");
+        inverse_range2 = T(1) / (range * range);
     }
 
     constexpr T operator()(const T& d2) const {

@@ -77,7 +77,7 @@ using exponential_power_profile = radial_profile<tabulated<exponential_power_sha
 /// the projected area, in half a millisecond; to build it once for every width:
 ///   const exponential_power_profile<float> profile{tabulated<exponential_power_shape<float>, float>{exponential_power_shape{p}}};
 ///   const stretched ndf{shared{profile}, alpha{a}};
-/// Error of D: 12 max(1, p) (1 + (tan^2/alpha^2)^p) ULP; of the projected area: 4e-6 of that along the horizon.
+/// Error of D: 6 max(1, p) (1 + (tan^2/alpha^2)^p) ULP; of the projected area: 4e-6 of that along the horizon.
 template <scalar T, class Width = alpha<T>>
 class exponential_power : public radial<tabulated<exponential_power_shape<T>, T>, detail::width_in_t<Width, T>> {
     using shape = tabulated<exponential_power_shape<T>, T>;

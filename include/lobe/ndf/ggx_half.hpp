@@ -11,7 +11,8 @@ namespace lobe {
 /// `ggx<T>::D` squares x, y and a z by themselves. In binary16 that is as right for alpha from 1/128 on, but not where subnormals
 /// are flushed to zero, as GPUs may do (5 % off at alpha 0.05), and infinite for alpha < 1/256.
 /// Domain: unit m (16 bits keep it so to 5e-4); alpha in [0.0022, 1]. D in 1/sr, zero below the horizon. Error: 13 roundings of 2^-11 at
-/// most, 0.64 %, and that of the subnormal itself where D < 6.1e-5.
+/// most, 0.64 %, and that of the subnormal itself where D < 6.1e-5. Where subnormals are flushed 14, and 17 for
+/// alpha < 0.05: q loses what of it is below 6.1e-5.
 /// `largest` is what a D that does not fit becomes: at the normal for alpha < 0.0022044 = 1/sqrt(65504 pi). Such a highlight keeps
 /// the share 2 c - c^2 of its light, c = alpha/0.0022044: 0.99 at 0.002, 0.70 at 0.001, 0.09 at 1e-4. No density of 16 bits keeps more.
 template <scalar T>

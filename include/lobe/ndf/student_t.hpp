@@ -89,8 +89,8 @@ private:
 /// gamma = 2 is GGX, gamma to infinity Beckmann; smaller gamma has longer tails.
 /// Domain: alpha as `beckmann`, gamma > 3/2 (below, the projected area is infinite). D in 1/sr. Projected area, Lambda and visible normals:
 /// scalar types only (0.1 to 0.3 microseconds; a normal 0.3 seen from above, 1 to 4 at 60 degrees, 10 to 17 at grazing ones).
-/// Error of D: 10 (1 + |ln(D pi ax ay)|) ULP; relative, of the projected area 1e-14, in float 3e-7; of Lambda, where it is above 1e-12,
-/// 1e-12, in float, above 1e-4, 2e-6.
+/// Error of D: 10 (1 + |ln(D pi ax ay cos^4)|) ULP; relative, of the projected area 1e-14, in float 3e-7; of Lambda, where it is
+/// above 1e-12, 1e-12, in float, above 1e-4, 2e-6.
 template <scalar T, class Width = alpha<T>>
 class student_t : public radial<student_t_shape<T>, detail::width_in_t<Width, T>> {
 public:
