@@ -262,13 +262,16 @@ span inputs_of(inputs takes) {
 int main(int argc, char** argv) {
     int points = 1000;
     bool tight = false;
+    const char* only = "";
     for (int i = 1; i < argc; ++i) {
         if (!std::strcmp(argv[i], "--tight"))
             tight = true;
+        else if (!std::strcmp(argv[i], "--only") && i + 1 < argc)
+            only = argv[++i];
         else if (std::atoi(argv[i]) > 0)
             points = std::atoi(argv[i]);
         else
-            return std::fprintf(stderr, "usage: accuracy [points] [--tight]\n"), 2;
+            return std::fprintf(stderr, "usage: accuracy [points] [--tight] [--only PART_OF_A_NAME]\n"), 2;
     }
     const char* const names[] = {"ULP", "ULP of 1", "ULP, exponential", "ULP, power", "radian", "radian, conditioned", "radius"};
     const auto rows = accuracy::rows<double>();
@@ -276,6 +279,7 @@ int main(int argc, char** argv) {
     for (std::size_t r = 0; r < rows.size(); ++r)
         for (const bool is_float : {true, false}) {
             const auto& promise = rows[r];
+            if (!std::strstr(promise.name, only)) continue;
             const char* const type = is_float ? "float" : "double";
             const double bound = promise.bound * (is_float || !promise.direction ? 1 : 0x1p-29);
             const auto fail = [&](const char* what, double error) {

@@ -187,7 +187,7 @@ std::vector<row<U>> rows() {
         {"beckmann D, anisotropic", inputs::normal_xy, 12, exponential,
          [](const U* x) { return U(beckmann{alpha_xy<U>(x[0], x[1])}.D(at(x + 2))); }},
         {"beckmann projected_area", inputs::view, 4, ulp, [](const U* x) { return U(beckmann{alpha<U>(x[0])}.projected_area(at(x + 2))); }},
-        {"blinn_phong D", inputs::normal, 12, exponential, [](const U* x) { return U(lobe::blinn_phong{alpha<U>(x[0])}.D(at(x + 2))); }},
+        {"blinn_phong D", inputs::normal, 10, power, [](const U* x) { return U(lobe::blinn_phong{alpha<U>(x[0])}.D(at(x + 2))); }},
         {"student_t D, gamma = 49/32", inputs::normal_xy, 10, power,
          [](const U* x) {
              return U(lobe::student_t{alpha_xy<U>(x[0], x[1]), number<U>(1.53125)}.D(at(x + 2)));

@@ -43,7 +43,7 @@ constexpr T exponent_from_gloss(const T& s, const T& largest) {
 /// STD), so its projected area is closed after all, and that is how it is written. The family is not shape-invariant: only `alpha`.
 /// Domain: 0 < alpha <= 1 (n >= 0). D in 1/sr. Projected area, Lambda, visible normals: scalar types only (0.2 microseconds an
 /// area); `masked_by{blinn_phong{a}, beckmann{a}}` is the usual cheap stand-in (Walter et al. 2007). Error of D:
-/// 12 (1 + |ln(D pi alpha^2)|) ULP; of the projected area and of Lambda: those of `student_t`.
+/// 10 (1 + |ln(D pi alpha^2 cos^4)|) ULP; of the projected area and of Lambda: those of `student_t`.
 template <scalar T>
 class blinn_phong : public radial<student_t_shape<T>, alpha<T>> {
 public:
