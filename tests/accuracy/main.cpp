@@ -147,7 +147,7 @@ std::vector<region> normal_regions() {
     return regions;
 }
 
-void width_from_1e_4(generator& random, double* x) { x[0] = x[1] = random.log_between(1e-4, 1); }
+void width_from_1e_2(generator& random, double* x) { x[0] = x[1] = random.log_between(1e-2, 1); }
 void peers_width(generator&, double* x) { x[0] = x[1] = 1e-4; }
 void any_square(generator& random, double* u) { u[0] = random(), u[1] = random(); }
 /// Towards 0 and towards 1, where radii and cosines vanish.
@@ -212,7 +212,7 @@ std::vector<region> regions_of(inputs takes) {
         case inputs::seen: return seen_regions<one_width, anywhere_above>();
         case inputs::seen_narrow: return seen_regions<peers_width, anywhere_above>();
         case inputs::seen_xy: return seen_regions<two_widths, anywhere_above>();
-        case inputs::seen_below: return seen_regions<width_from_1e_4, below>();
+        case inputs::seen_below: return seen_regions<width_from_1e_2, below>();
         case inputs::index_cosine:
             return {
                 {"any", [](generator& random, double* x) { x[0] = random.between(1, 10), x[1] = random(); }},

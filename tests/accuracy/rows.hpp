@@ -56,7 +56,7 @@ enum class inputs {
     seen,          // ax = ay, u, v above the horizon
     seen_narrow,   // ax = ay = 1e-4, u, v above the horizon
     seen_xy,       // ax, ay, u, v above the horizon
-    seen_below,    // ax = ay from 1e-4, u, v below the horizon
+    seen_below,    // ax = ay from 0.01, u, v below the horizon
 };
 
 enum class unit {
