@@ -11,8 +11,8 @@ namespace accuracy {
 using result = std::array<double, 3>;
 
 /// The row's value in float or double from inputs that the type holds exactly.
-result value_in_float(int row, const double* x);
-result value_in_double(int row, const double* x);
+[[gnu::visibility("default")]] result value_in_float(int row, const double* x);
+[[gnu::visibility("default")]] result value_in_double(int row, const double* x);
 
 /// How far it is from the same formula on fifty digits, in the row's unit: infinitely far if it is a NaN. Negative where the truth leaves
 /// the type's range and the value does so too.
@@ -20,7 +20,7 @@ double error_of_float(int row, const double* x, const result& of);
 double error_of_double(int row, const double* x, const result& of);
 
 /// The same for functions of one float, n at a time; the truth is the formula in double.
-void sweep_values(int function, const float* u, float* values, std::size_t n);
+[[gnu::visibility("default")]] void sweep_values(int function, const float* u, float* values, std::size_t n);
 void sweep_errors(int function, const float* u, const float* values, double* errors, std::size_t n);
 
 }  // namespace accuracy

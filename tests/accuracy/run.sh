@@ -32,21 +32,9 @@ if ((failed)); then
     exit 1
 fi
 
-{
-    cat tests/accuracy/preface.md
-    echo
-    echo "| function | type | region | unit | worst | 99.9 % | mean | \`-ffast-math\` | promised | worst input |"
-    echo "|:--|:--|:--|:--|--:|--:|--:|--:|--:|:--|"
-    paste -d'|' "$out/default" "$out/fast_math" | awk -F' *[|] *' '{
-        # every line holds ten fields, twice
-        printf "| %s | %s | %s | %s | %s | %s | %s | %s | %s | `%s` |\n", $1, $2, $3, $9, $5, $6, $7, $15, $8, $10 }'
-    echo
-    echo "## Every float"
-    echo
-    echo "u runs over every $( ((stride == 1)) || echo "$stride-th ")float of [0,1]; the radical inverse over every $( ((stride == 1)) || echo "$stride-th ")index of 32 bits. The truth is the formula in double."
-    echo
-    echo "| function of u | values | worst | mean | \`-ffast-math\` | promised | worst u |"
-    echo "|:--|--:|--:|--:|--:|--:|:--|"
-    paste -d'|' "$out/sweep_default" "$out/sweep_fast_math" | awk -F' *[|] *' '{ printf "| %s | %s | %s | %s | %s | %s | %s |\n", $1, $2, $3, $4, $9, $5, $6 }'
-} >"$out/accuracy.md"
+# name | type | region | unit | worst | 99.9 % | mean | worst with -ffast-math | promised | input
+paste -d'|' "$out/default" "$out/fast_math" | awk -F' *[|] *' '{
+    # every line holds ten fields, twice
+    printf "| %s | %s | %s | %s | %s | %s | %s | %s | %s | `%s` |\n", $1, $2, $3, $9, $5, $6, $7, $15, $8, $10 }' >"$out/rows"
+tests/accuracy/document.sh "$out/rows" "$out/sweep_default" "$out/sweep_fast_math" "$stride" >"$out/accuracy.md"
 mv "$out/accuracy.md" docs/accuracy.md
