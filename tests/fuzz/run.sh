@@ -14,7 +14,7 @@ cmake --build --preset fuzz
 fuzz() {
     local name=$1 time=$2 out=build/fuzz/inputs_$1
     mkdir -p "$out"
-    "build/fuzz/tests/fuzz/$name" -seed=1 -max_total_time="$time" -max_len=512 -artifact_prefix="$out/broken_" -verbosity=0 -entropic=0 "$out" tests/fuzz/corpus
+    "build/fuzz/tests/fuzz/$name" -seed=1 -max_total_time="$time" -max_len=512 -artifact_prefix="$out/broken_" -verbosity=0 -print_funcs=0 -entropic=0 "$out" tests/fuzz/corpus
 }
 fuzz lobe_fuzz $((seconds * 3 / 4))
 fuzz lobe_fuzz_any_bits $((seconds - seconds * 3 / 4))
