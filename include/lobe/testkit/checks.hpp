@@ -19,8 +19,8 @@ inline budget budget_of(effort e) { return e == effort::quick ? budget{9, 4096, 
 /// A report, already failed where the options make no sense.
 inline report opened(const options& o) {
     report r(o.name);
-    if (!(o.tolerance > 0 && o.tolerance < 1))
-        r.add({{"options.tolerance is between 0 and 1", o.tolerance, 2e-3, 0, "",
+    if (!(o.tolerance > 0 && std::isfinite(o.tolerance)))
+        r.add({{"options.tolerance is above 0, and a number", o.tolerance, 2e-3, 0, "",
                 "it is the relative error that counts; with this one nothing can be verified"},
                false});
     return r;
