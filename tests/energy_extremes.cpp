@@ -98,6 +98,24 @@ auto exact_albedo_of(const alpha<T>& a, T F0) {
     };
 }
 
+struct mean_and_error {
+    double mean, error;
+};
+
+/// The albedo of a random walk seen from mu, with its standard error.
+template <class Walk>
+mean_and_error albedo_of_walk(const Walk& walk, float mu, random_numbers& random) {
+    constexpr int paths = 50000;
+    double sum = 0, squares = 0;
+    for (int k = 0; k < paths; ++k) {
+        const double weight =
+            static_cast<double>(walk.sample(view(mu), [&] { return static_cast<float>(random.between(0, 1 - u)); }).weight);
+        sum += weight / paths;
+        squares += weight * weight / paths;
+    }
+    return {sum, std::sqrt(std::max(squares - sum * sum, 0.0) / paths)};
+}
+
 }  // namespace
 
 TEST_CASE("energy at the extremes: the split-sum terms in float", "[energy_extremes]") {
@@ -287,23 +305,15 @@ TEST_CASE("energy at the extremes: fdez_aguera against the random walk beyond it
     const float F0[3] = {0.04f, 0.5f, 0.9f};
     const double model[3] = {0.0621, 0.042, 0.060};
     random_numbers random(3);
-    const auto uniform = [&] { return static_cast<float>(random.between(0, 1 - u)); };
     double largest = 0;
     every_extreme([&](float mu, const alpha<float>& a) {
         const auto t = lobe::dfg_exact(smith_correlated{}, mu, a);
         for (std::size_t i = 0; i < 3; ++i) {
             const lobe::random_walk walk{ggx{a}, schlick{F0[i]}};
-            constexpr int paths = 50000;
-            double sum = 0, squares = 0;
-            for (int k = 0; k < paths; ++k) {
-                const double weight = static_cast<double>(walk.sample(view(mu), uniform).weight);
-                sum += weight / paths;
-                squares += weight * weight / paths;
-            }
+            const auto [mean, error] = albedo_of_walk(walk, mu, random);
             const auto w = lobe::fdez_aguera{}(t, F0[i]);
-            const double difference = static_cast<double>(w.radiance + w.irradiance) - sum;
-            const double error = std::sqrt(std::max(squares - sum * sum, 0.0) / paths);
-            INFO("F0 " << F0[i] << ": walk " << sum << " +- " << error << ", fdez_aguera less " << -difference);
+            const double difference = static_cast<double>(w.radiance + w.irradiance) - mean;
+            INFO("F0 " << F0[i] << ": walk " << mean << " +- " << error << ", fdez_aguera less " << -difference);
             CHECK(std::abs(difference) < model[i] + 4 * error + 8 * u);
             CHECK(difference < 4 * error + 8 * u);  // it errs to the dark
             largest = larger(largest, i == 0 ? -difference : 0);
@@ -318,7 +328,6 @@ TEST_CASE("energy at the extremes: roughness 1 against the random walk's table, 
     const double model[4] = {0.0205, 0.0215, 0.042, 0.060};
     const auto table = lobe::bake_dfg<float>(smith_correlated{});
     random_numbers random(2);
-    const auto uniform = [&] { return static_cast<float>(random.between(0, 1 - u)); };
     int rows = 0;
     for (const auto& row : reference_table("multiscatter_random_walk.csv")) {
         if (row[1] != 1) continue;
@@ -334,14 +343,8 @@ TEST_CASE("energy at the extremes: roughness 1 against the random walk's table, 
             CHECK(std::abs(static_cast<double>(exact.radiance + exact.irradiance) - truth) < model[i]);
             CHECK(std::abs(static_cast<double>(read.radiance + read.irradiance) - truth) < model[i] + 3.5e-3);  // and the table's
             const lobe::random_walk walk{ggx{a}, schlick{F0[i]}};
-            constexpr int paths = 50000;
-            double sum = 0, squares = 0;
-            for (int k = 0; k < paths; ++k) {
-                const double weight = static_cast<double>(walk.sample(view(mu), uniform).weight);
-                sum += weight / paths;
-                squares += weight * weight / paths;
-            }
-            CHECK(std::abs(sum - truth) < 4 * (std::sqrt((squares - sum * sum) / paths) + error));
+            const auto [mean, own_error] = albedo_of_walk(walk, mu, random);
+            CHECK(std::abs(mean - truth) < 4 * (own_error + error));
         }
     }
     CHECK(rows == 4);

@@ -93,7 +93,7 @@ void expect_unit(const char* what, const lobe::vec3<T>& w) {
 struct facts {
     bool reciprocal = true;
     int terms = 1;             // lobes that are added
-    bool exponential = false;  // D has the error 10 (1 + |ln(D pi ax ay)|) ULP
+    bool exponential = false;  // the rounding of D grows with its logarithm
     bool fitted_area = false;  // Walter's rational fit of the projected area, a little negative near its end
     int cases = 256;
 };

@@ -71,21 +71,14 @@ private:
 
     /// Members that cannot be called the way the kit calls them: a verdict without them is not the one that was asked for.
     void misfits(report& all) const {
-        const char* otherwise = "; to verify f_cos alone, pass a lambda that calls it";
+        const auto misfit = [&](const char* property, const std::string& why) {
+            const std::string meaning = "the member is there, but not verified: it is not const, " + why +
+                                        "; to verify f_cos alone, pass a lambda that calls it";
+            all.add({{property, 0, 1, 0, "", meaning}, false});
+        };
         if (b.b.misfit_sample)
-            all.add(
-                {{"sample(v, u) can be called", 0, 1, 0, "",
-                  std::string("there is a member `sample`, not verified: it is not const, does not take two vectors of 3 and 2 numbers, or "
-                              "does not return l, weight and pdf") +
-                      otherwise},
-                 false});
-        if (b.b.misfit_pdf)
-            all.add(
-                {{"pdf(v, l) can be called", 0, 1, 0, "",
-                  std::string("there is a member `pdf`, not verified: it is not const, does not take two vectors of 3 numbers, or does not "
-                              "return a number") +
-                      otherwise},
-                 false});
+            misfit("sample(v, u) can be called", "does not take two vectors of 3 and 2 numbers, or does not return l, weight and pdf");
+        if (b.b.misfit_pdf) misfit("pdf(v, l) can be called", "does not take two vectors of 3 numbers, or does not return a number");
     }
 
     /// Samples that go where they cannot be right: it explains whatever else is found of them.
