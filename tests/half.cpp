@@ -107,7 +107,7 @@ T one_minus_square(const vec3<T>& m, const T& a) {
 template <class T>
 T lagrange(const vec3<T>& m, const T& a) {
     const T n = m.z * a, k = a / (m.x * m.x + m.y * m.y + n * n);
-    return lobe::min(k * k * lobe::inv_pi<T>(), T(65504));
+    return lobe::smaller(k * k * lobe::inv_pi<T>(), T(65504));
 }
 
 /// D by its definition, of m as it is, unit or not.

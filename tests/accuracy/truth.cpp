@@ -19,7 +19,7 @@ constexpr double out_of_range = -1, infinity = std::numeric_limits<double>::infi
 /// which nearly cancel where facets close; what rounds there is stretched by a at most.
 double conditioning_of_seen(const digits50* x, const vec3<digits50>& m) {
     const vec3<digits50> v = at(x + 4), wide{x[0] * v.x, x[1] * v.y, v.z}, narrow{m.x / x[0], m.y / x[1], m.z};
-    const digits50 a = lobe::max(x[0], x[1]);
+    const digits50 a = lobe::larger(x[0], x[1]);
     return 1 + static_cast<double>(a * lobe::length(wide) * lobe::dot(narrow, narrow) / (2 * lobe::dot(v, m)));
 }
 

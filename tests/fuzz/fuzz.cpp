@@ -46,7 +46,7 @@ template <class N, class T = typename N::scalar>
 void check_distribution(const N& ndf, const facts& facts, const lobe::vec3<T>& v, const lobe::vec3<T>& m, const lobe::vec2<T>& u) {
     constexpr T r = roundoff<T>;
     see(v, m, u);
-    const T D = lobe::max(m.z, -m.z) < lowest_normal<T> ? T(0) : ndf.D(m);
+    const T D = lobe::larger(m.z, -m.z) < lowest_normal<T> ? T(0) : ndf.D(m);
     expect_light("D", D);
     if (m.z < T(0)) expect(D == T(0), "D below the horizon", D);
     if (m.z >= static_cast<T>(1e-6)) {
@@ -314,7 +314,7 @@ void points(input& in) {
     const auto back = [](const lobe::vec2<T>& there, const lobe::vec2<T>& u) {
         expect_near("the inverse map, u.x", there.x, u.x, T(16) * r);
         const T turn = std::abs(there.y - u.y);
-        if (u.x > std::numeric_limits<T>::min()) expect(lobe::min(turn, T(1) - turn) <= T(16) * r, "the inverse map, u.y", there.y, u.y, T(16) * r);
+        if (u.x > std::numeric_limits<T>::min()) expect(lobe::smaller(turn, T(1) - turn) <= T(16) * r, "the inverse map, u.y", there.y, u.y, T(16) * r);
     };
     every_case<T>(in, 256, {T(1), T(1)},
                   [&](const auto& v, const auto& l, const auto& u) {

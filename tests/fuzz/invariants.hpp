@@ -102,7 +102,7 @@ struct facts {
 template <class T>
 T underflow(const lobe::vec2<T>& width, const lobe::vec3<T>& v, const lobe::vec3<T>& l) {
     const T small = smallest<T> * T(16);
-    return small / lobe::min(width.x * width.y, T(1)) / lobe::max(v.z * l.z, std::numeric_limits<T>::min());
+    return small / lobe::smaller(width.x * width.y, T(1)) / lobe::larger(v.z * l.z, std::numeric_limits<T>::min());
 }
 
 /// By how much g(l) changes when each component of l does by `delta`: to first order, and doubled for the rest.
@@ -113,7 +113,7 @@ T change(const G& g, const lobe::vec3<T>& l, const T& delta) {
         lobe::vec3<T> above = l, below = l;
         above[i] += delta, below[i] -= delta;
         const T here = g(l), up = std::abs(g(above) - here), down = std::abs(g(below) - here);
-        total += T(2) * lobe::max(up, down);
+        total += T(2) * lobe::larger(up, down);
     }
     return total;
 }
@@ -125,7 +125,7 @@ T change(const G& g, const lobe::vec3<T>& l, const T& delta) {
 template <class T, class G, class Absolute>
 void expect_conditioned(const char* what, const T& measured, const G& g, const lobe::vec3<T>& l, const T& turned, const T& relative,
                         const Absolute& absolute) {
-    const T expected = g(l), most = lobe::max(measured, expected);
+    const T expected = g(l), most = lobe::larger(measured, expected);
     expect(finite(measured) && finite(expected), what, measured, expected);
     T rounding = relative * most;
     if (std::abs(measured - expected) <= rounding) return;
@@ -185,7 +185,7 @@ void check_brdf(const B& b, const Rounding& rounding_of_F, const facts& facts, c
     const T logarithms = std::abs(std::log(s.pdf)) + std::abs(std::log(b.width().x * b.width().y)) + std::abs(std::log(v.z * s.l.z));
     T rounding = facts.exponential ? T(40) * r * (T(4) + logarithms) : T(64) * sum * r;
     if (fast_math) rounding *= T(64);
-    const T turned = T(24) * r / (v.z + s.l.z) / lobe::min(b.width().x, b.width().y);
+    const T turned = T(24) * r / (v.z + s.l.z) / lobe::smaller(b.width().x, b.width().y);
     expect_conditioned(
         "pdf(v, l) = the sample's pdf", s.pdf, [&](const lobe::vec3<T>& w) { return b.pdf(v, w); }, s.l, turned, rounding,
         [&] { return floor + share; });
@@ -203,10 +203,10 @@ void check_weight(const B& b, const F& fresnel, const lobe::vec3<T>& v, const lo
     const auto s = b.sample(v, u);
     evaluations += 1;
     const T c = lobe::length(v + s.l) / T(2);
-    const auto cosine = [](const T& x) { return lobe::min(lobe::max(x, T(0)), T(1)); };
+    const auto cosine = [](const T& x) { return lobe::smaller(lobe::larger(x, T(0)), T(1)); };
     const auto at = fresnel(cosine(c)), more = fresnel(cosine(c + near)), less = fresnel(cosine(c - near));
     for (int i = 0; i < 3; ++i) {
-        const T most = lobe::max(at[i], lobe::max(more[i], less[i]));
+        const T most = lobe::larger(at[i], lobe::larger(more[i], less[i]));
         expect(s.weight[i] <= most + T(32) * r, "weight <= F", s.weight[i], most, T(32) * r);
     }
 }

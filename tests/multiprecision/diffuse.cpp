@@ -39,13 +39,13 @@ TEMPLATE_TEST_CASE("rounding errors of the diffuse models", "[multiprecision]", 
         const vec3<T> v = random.grazing_direction<T>(1e-6), l = random.grazing_direction<T>(1e-6);
         const auto look = [&](double& worst, const auto& brdf, const auto& truth, const digits50& unit) {
             const digits50 f = truth.f(exact(v), exact(l)), f_cos = truth.f_cos(exact(v), exact(l));
-            worst = larger(worst, ulps(brdf.f(v, l), f, lobe::max(f, unit)));
-            worst = larger(worst, ulps(brdf.f_cos(v, l), f_cos, lobe::max(f_cos, digits50(unit * digits50(l.z)))));
+            worst = larger(worst, ulps(brdf.f(v, l), f, lobe::larger(f, unit)));
+            worst = larger(worst, ulps(brdf.f_cos(v, l), f_cos, lobe::larger(f_cos, digits50(unit * digits50(l.z)))));
         };
         // s = v.x l.x + v.y l.y cancels where the azimuths are a quarter turn apart: it is right to the ULP of its terms, which f
         // multiplies by r rho A/(pi max(mu)); A >= 0.56, B <= r
         const digits50 unit = rho_exact / 5, s = abs(digits50(v.x) * digits50(l.x)) + abs(digits50(v.y) * digits50(l.y));
-        const digits50 rough = unit * (1 + r_exact * s / lobe::max(digits50(v.z), digits50(l.z)));
+        const digits50 rough = unit * (1 + r_exact * s / lobe::larger(digits50(v.z), digits50(l.z)));
         look(oren_nayar, lobe::oren_nayar{rho, r}, lobe::oren_nayar{rho_exact, r_exact}, rough);
         look(fon, lobe::fon{rho, r}, lobe::fon{rho_exact, r_exact}, rough);
         look(eon, lobe::eon{rho, r}, lobe::eon{rho_exact, r_exact}, rough);

@@ -28,7 +28,7 @@ constexpr vec3<T> stretched_normal(const vec2<T>& width, const T& x, const T& y,
 template <scalar T>
 constexpr T cap_cut(const vec2<T>& width, const vec3<T>& v) {
     using std::sqrt;
-    const T a = min(min(width.x, width.y), T(1)), s = T(1) + sqrt(v.x * v.x + v.y * v.y);
+    const T a = smaller(smaller(width.x, width.y), T(1)), s = T(1) + sqrt(v.x * v.x + v.y * v.y);
     const T a2 = a * a, s2 = s * s, z2 = v.z * v.z;
     return a2 * (s2 + z2) / (s2 + a2 * z2);
 }
@@ -49,15 +49,15 @@ struct visible_heitz2018 {
         const vec3<T> w = detail::stretched_view(a, v);
         // the disk's axes are (-y, x, 0) and (-z x, -z y, sine), where (x, y) is the azimuth of w; any will do at the normal
         const T sine2 = w.x * w.x + w.y * w.y, sine = sqrt(sine2);
-        const auto tilted = sine2 > T(std::numeric_limits<lane_t<T>>::min());  // below it squares have lost their digits
+        const auto tilted = sine2 > T((std::numeric_limits<lane_t<T>>::min)());  // below it squares have lost their digits
         const T x = select(tilted, quotient(w.x, sine), T(0)), y = select(tilted, quotient(w.y, sine), T(-1));
 
         const auto [sin_phi, cos_phi] = sincos_2pi(u.y);
         const T r = sqrt(u.x), rest = T(1) - u.x;
         const T t1 = r * cos_phi, t2 = r * sin_phi;
         const T q = sqrt(rest + t2 * t2);  // sqrt(1 - t1^2): t2 is in [-q, q]
-        const T far = q + max(t2, -t2), near = quotient(rest, far);  // 0/0 at u.x = 1 alone
-        const T below = select(t2 < T(0), near, far), above = select(t2 < T(0), far, near);  // q + t2, q - t2
+        const T outer = q + larger(t2, -t2), inner = quotient(rest, outer);  // 0/0 at u.x = 1 alone
+        const T below = select(t2 < T(0), inner, outer), above = select(t2 < T(0), outer, inner);  // q + t2, q - t2
 
         const T s = (T(1) + w.z) / T(2), t = quotient(sine2, T(2) * (T(1) + w.z));  // t = 1 - s
         const T p2 = s * below - q * w.z;                                    // t2, squashed from [-q, q] to [-q w.z, q]

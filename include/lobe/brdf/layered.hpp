@@ -31,7 +31,7 @@ constexpr bool below_one(const S& s) {
 
 template <scalar T>
 constexpr T cosine_in_unit_interval(const T& c) {
-    return min(max(c, T(0)), T(1));
+    return smaller(larger(c, T(0)), T(1));
 }
 
 }  // namespace detail
@@ -46,7 +46,7 @@ public:
 
     template <scalar T>
     [[gnu::always_inline]] constexpr auto operator()(const vec3<T>& v, const vec3<T>& l) const {
-        return detail::rest(fresnel_(min(length(v + l) / T(2), T(1))));
+        return detail::rest(fresnel_(smaller(length(v + l) / T(2), T(1))));
     }
 
 private:

@@ -75,7 +75,7 @@ struct smith_direction_correlated : masking_functions<smith_direction_correlated
         const auto no_azimuth = along == T(0) && across == T(0);
         const T phi = atan2(abs(across), select(no_azimuth, T(1), along));
         const T lambda = T(441) * phi / (T(441) * phi + T(100));
-        return max(sv * l.z, sl * v.z) + lambda * min((sv - v.z) * l.z, (sl - l.z) * v.z);
+        return larger(sv * l.z, sl * v.z) + lambda * smaller((sv - v.z) * l.z, (sl - l.z) * v.z);
     }
 };
 

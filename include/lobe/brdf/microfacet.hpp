@@ -75,13 +75,13 @@ public:
         const T area = sampler.area(ndf, v, v_m, m.z, sv), density = quotient(ndf.D(m), T(4) * area);
         const auto valid = above(v, l) && density > T(0);  // a Gaussian tail may underflow
         return {select(valid, l, vec3<T>{T(0), T(0), T(1)}),
-                fresnel_(select(valid, min(v_m, T(1)), T(1))) *
+                fresnel_(select(valid, smaller(v_m, T(1)), T(1))) *
                     select(valid, quotient(l.z * area, shadow.denominator(ndf, v, l, sv)), T(0)),
                 select(valid, density, T(0))};
     }
 
     /// F(n.v): what a composition shares its samples by.
-    [[gnu::always_inline]] constexpr S albedo_estimate(const vec3<T>& v) const { return fresnel_(min(max(v.z, T(0)), T(1))); }
+    [[gnu::always_inline]] constexpr S albedo_estimate(const vec3<T>& v) const { return fresnel_(smaller(larger(v.z, T(0)), T(1))); }
 
     constexpr vec2<T> width() const { return ndf.width(); }
 
@@ -90,7 +90,7 @@ private:
     struct half {
         vec3<T> s;
         T v_m;  // v.m = |s|/2, which rounding may take above 1
-        constexpr explicit half(const vec3<T>& sum) : s(sum), v_m(min(length(sum) / T(2), T(1))) {}
+        constexpr explicit half(const vec3<T>& sum) : s(sum), v_m(smaller(length(sum) / T(2), T(1))) {}
         constexpr T m_z() const { return quotient(s.z, T(2) * v_m); }
     };
 

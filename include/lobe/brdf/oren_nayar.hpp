@@ -39,7 +39,7 @@ private:
     template <class Mask>
     constexpr S pi_f(const vec3<T>& v, const vec3<T>& l, const Mask& lit, const T& factor) const {
         const T s = detail::horizontal_dot(v, l);
-        return rho * select(lit, (A + quotient(B * max(s, T(0)), max(v.z, l.z))) * factor, T(0));
+        return rho * select(lit, (A + quotient(B * larger(s, T(0)), larger(v.z, l.z))) * factor, T(0));
     }
 
     S rho;
@@ -62,7 +62,7 @@ struct fujii {
 
     constexpr T operator()(const vec3<T>& v, const vec3<T>& l) const {
         const T s = horizontal_dot(v, l);
-        return max(A + quotient(B * s, select(s > T(0), max(v.z, l.z), T(1))), T(0));  // never negative by rounding, where A + B s vanishes
+        return larger(A + quotient(B * s, select(s > T(0), larger(v.z, l.z), T(1))), T(0));  // never negative by rounding, where A + B s vanishes
     }
 
     constexpr T average_albedo() const { return A + B * c2(); }
@@ -94,7 +94,7 @@ struct fon_loss_fit {
         const auto c = [](double x) { return T(static_cast<lane_t<T>>(x)); };
         const T m = T(1) - w.z;
         const T G = m * (c(0.0571085289) + m * (c(0.491881867) + m * (c(-0.332181442) + m * c(0.0714429953))));
-        return max(detail::fujii<T>::c1() - G, T(0));
+        return larger(detail::fujii<T>::c1() - G, T(0));
     }
 };
 

@@ -146,7 +146,7 @@ public:
         vec2<T> narrowest = std::get<0>(lobes).width();
         for_each_lobe([&](const auto& lobe) {
             const vec2<T> w = lobe.width();
-            narrowest = {min(narrowest.x, w.x), min(narrowest.y, w.y)};
+            narrowest = {smaller(narrowest.x, w.x), smaller(narrowest.y, w.y)};
         });
         return narrowest;
     }

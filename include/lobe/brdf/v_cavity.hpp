@@ -17,14 +17,14 @@ struct v_cavity : masking_functions<v_cavity> {
     template <distribution N, class T = typename N::scalar>
     constexpr T denominator(const N&, const vec3<T>& v, const vec3<T>& l, const T&) const {
         const vec3<T> s = v + l;
-        return max(v.z * l.z, quotient(max(v.z, l.z), s.z) * dot(s, s) / T(4));
+        return larger(v.z * l.z, quotient(larger(v.z, l.z), s.z) * dot(s, s) / T(4));
     }
 
     /// What v sees of the facets with unit normal m: min(1, 2 (n.m)(n.v)/(v.m)). It depends on m, as Smith's does not.
     /// Domain: v.m > 0.
     template <scalar T>
     constexpr T G1(const vec3<T>& v, const vec3<T>& m) const {
-        return min(T(1), T(2) * m.z * v.z / dot(v, m));
+        return smaller(T(1), T(2) * m.z * v.z / dot(v, m));
     }
 };
 

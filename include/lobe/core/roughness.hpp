@@ -23,7 +23,7 @@ public:
     static constexpr alpha from_roughness(const T& r) { return alpha(r * r); }
     /// The same, at least `floor`, for roughness from a texture: textures contain 0.
     static constexpr alpha from_roughness(const T& r, const T& floor) { return at_least(r * r, floor); }
-    static constexpr alpha at_least(const T& value, const T& floor) { return alpha(max(value, floor)); }
+    static constexpr alpha at_least(const T& value, const T& floor) { return alpha(larger(value, floor)); }
 
     constexpr T value() const { return a; }
     constexpr T x() const { return a; }
@@ -63,7 +63,7 @@ public:
     }
 
     static constexpr alpha_xy at_least(const T& along_x, const T& along_y, const T& floor) {
-        return alpha_xy(max(along_x, floor), max(along_y, floor));
+        return alpha_xy(larger(along_x, floor), larger(along_y, floor));
     }
 
     /// x = r^2/aspect, y = r^2 aspect, aspect = sqrt(1 - 0.9 a), a in [0,1]: x y = r^4, x/y at most 10.

@@ -38,12 +38,12 @@ template <scalar T>
 constexpr bool all(bool mask) { return mask; }
 
 template <scalar T>
-constexpr T max(const T& a, const T& b) {
+constexpr T larger(const T& a, const T& b) {
     return select(a < b, b, a);
 }
 
 template <scalar T>
-constexpr T min(const T& a, const T& b) {
+constexpr T smaller(const T& a, const T& b) {
     return select(b < a, b, a);
 }
 

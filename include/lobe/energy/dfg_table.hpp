@@ -17,8 +17,8 @@ public:
 
     T operator()(const T& x, const T& y) const {
         const T last = static_cast<T>(n - 1);
-        const T px = min(max(T(0), x), T(1)) * last, py = min(max(T(0), y), T(1)) * last;  // in this order a NaN is 0
-        const int column = std::min(static_cast<int>(px), n - 2), row = std::min(static_cast<int>(py), n - 2);
+        const T px = smaller(larger(T(0), x), T(1)) * last, py = smaller(larger(T(0), y), T(1)) * last;  // in this order a NaN is 0
+        const int column = (std::min)(static_cast<int>(px), n - 2), row = (std::min)(static_cast<int>(py), n - 2);
         const T tx = px - T(column), ty = py - T(row);
         const T* low = &values[index(column, row)];
         const T* high = low + n;
@@ -60,10 +60,10 @@ class dfg_table {
 public:
     dfg_terms<T> operator()(const T& cosine, const alpha<T>& a) const {
         using std::sqrt;
-        const T mu = min(max(T(0), cosine), T(1));  // in this order, which takes a NaN to 0
+        const T mu = smaller(larger(T(0), cosine), T(1));  // in this order, which takes a NaN to 0
         const T r = sqrt(a.value()), row = sqrt(r);
         const T E = albedo(detail::dfg_axes<T>::column(mu, r), row);
-        const T A = min(scale(sqrt(sqrt(mu)), row), E);
+        const T A = smaller(scale(sqrt(sqrt(mu)), row), E);
         return {A, E - A};
     }
 
@@ -92,15 +92,15 @@ dfg_table<T, Masking> bake_dfg(const Masking& masking_model, const dfg_table_opt
     const auto terms = [&](const W& mu, const W& a) {
         const microfacet lobe{ggx{alpha<W>(a)}, masking_model, detail::schlick_terms{}};
         const W grazing = a * W(1e-6);  // house: a point of the table, mu = 0 to the eye of E
-        const vec3<W> v = detail::view_at(max(mu, grazing));
+        const vec3<W> v = detail::view_at(larger(mu, grazing));
         return detail::hemisphere_integral_at([&](const vec3<W>& l) { return lobe.f_cos(v, l); }, v, lobe.width(), true, options.order);
     };
     dfg_table<T, Masking> table(options.size);
     for (int row = 0; row <= last; ++row) {
-        const W y = W(row) / W(last), r = max(y * y, W(0.01)), a = r * r;  // house: a node of the table, alpha = 0 to E's limit
+        const W y = W(row) / W(last), r = larger(y * y, W(0.01)), a = r * r;  // house: a node of the table, alpha = 0 to E's limit
         for (int column = 0; column <= last; ++column) {
             const W x = W(column) / W(last), x2 = x * x;
-            const vec2<W> at_warped = terms(min(detail::dfg_axes<W>::mu(x, r), W(1)), a);
+            const vec2<W> at_warped = terms(smaller(detail::dfg_axes<W>::mu(x, r), W(1)), a);
             table.albedo.at(column, row) = T(at_warped.x + at_warped.y);
             const W Fc = W(1) - x2 * x2;
             table.scale.at(column, row) = row == 0 ? T(W(1) - Fc * Fc * Fc * Fc * Fc) : T(terms(x2 * x2, a).x);

@@ -63,15 +63,15 @@ struct gauss_legendre {
 /// The size of a spectrum, for comparing: its largest component.
 template <scalar T>
 T magnitude(const T& s) {
-    return max(s, -s);
+    return larger(s, -s);
 }
 template <scalar T>
 T magnitude(const vec2<T>& s) {
-    return max(magnitude(s.x), magnitude(s.y));
+    return larger(magnitude(s.x), magnitude(s.y));
 }
 template <scalar T>
 T magnitude(const vec3<T>& s) {
-    return max(max(magnitude(s.x), magnitude(s.y)), magnitude(s.z));
+    return larger(larger(magnitude(s.x), magnitude(s.y)), magnitude(s.z));
 }
 template <class S>
     requires requires(const S s) {
@@ -80,7 +80,7 @@ template <class S>
     }
 auto magnitude(const S& s) {
     auto largest = magnitude(*s.begin());
-    for (const auto& component : s) largest = max(largest, magnitude(component));
+    for (const auto& component : s) largest = larger(largest, magnitude(component));
     return largest;
 }
 
@@ -96,7 +96,7 @@ struct agreement {
     int steps = 0;
 
     void add(const T& step) {
-        size = max(step, previous / T(8));
+        size = larger(step, previous / T(8));
         previous = step;
         ++steps;
     }

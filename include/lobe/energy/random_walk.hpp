@@ -51,7 +51,7 @@ public:
             const vec2<T> u = order == 0 ? first : vec2<T>{T(uniform()), T(uniform())};
             const vec3<T> m = ndf.sample_visible(-w, u);
             const T cosine = -dot(w, m);
-            weight = weight * fresnel(min(max(cosine, T(0)), T(1)));
+            weight = weight * fresnel(smaller(larger(cosine, T(0)), T(1)));
             w = normalize(w + T(2) * cosine * m);
         }
         return {{T(0), T(0), T(1)}, S(T(0)), 1000};

@@ -30,13 +30,13 @@ public:
     template <std::same_as<T> U>
     [[gnu::always_inline]] constexpr S operator()(const U& u) const {
         const T w = T(1) - u, w3 = w * w * w;
-        return detail::by_component([](const T& x) { return max(x, T(0)); }, base(u) - b * (u * w3 * w3));
+        return detail::by_component([](const T& x) { return larger(x, T(0)); }, base(u) - b * (u * w3 * w3));
     }
 
     /// (20 F0 + 1)/21 - b/126, at least 0: 2 int_0^1 F(u) u du, exact where the clamp of F does not act. Where it does this is
     /// too small, by 0.0164 at most (F0 = 0.02, t = 0).
     constexpr S average() const {
-        return detail::by_component([](const T& x) { return max(x, T(0)); }, base.average() - b / T(126));
+        return detail::by_component([](const T& x) { return larger(x, T(0)); }, base.average() - b / T(126));
     }
 
     constexpr S F0() const { return base.F0(); }
@@ -53,7 +53,7 @@ constexpr f82_tint<typename F::spectrum> fit_f82_tint(const F& exact) {
     using S = typename F::spectrum;
     using T = typename F::scalar;
     const S F0 = exact(T(1));
-    return {F0, detail::by_component([](const T& t) { return min(t, T(1)); }, exact(T(1) / T(7)) / schlick<S>(F0)(T(1) / T(7)))};
+    return {F0, detail::by_component([](const T& t) { return smaller(t, T(1)); }, exact(T(1) / T(7)) / schlick<S>(F0)(T(1) / T(7)))};
 }
 
 }  // namespace lobe

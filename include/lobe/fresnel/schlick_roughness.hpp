@@ -17,7 +17,7 @@ class schlick_roughness : public schlick<S, S> {
 
 public:
     constexpr schlick_roughness(const S& reflectance_0, const T& roughness)
-        : schlick<S, S>(reflectance_0, detail::by_component([&](const T& x) { return max(T(1) - roughness, x); }, reflectance_0)) {
+        : schlick<S, S>(reflectance_0, detail::by_component([&](const T& x) { return larger(T(1) - roughness, x); }, reflectance_0)) {
         assert(detail::in_unit_interval(roughness) && "schlick_roughness: roughness must be in [0,1]");
     }
 };

@@ -44,7 +44,7 @@ vec3<T> irradiance(const latlong<T>& environment, const vec3<T>& n) {
         const T solid_angle = latlong_texel_solid_angle<T>(row, environment.width, environment.height);
         for (int column = 0; column < environment.width; ++column) {
             const vec3<T>& e = equator[static_cast<std::size_t>(column)];
-            const T weight = max(sin_theta * (e.x * n.x + e.z * n.z) + cos_theta * n.y, T(0)) * solid_angle;
+            const T weight = larger(sin_theta * (e.x * n.x + e.z * n.z) + cos_theta * n.y, T(0)) * solid_angle;
             total += vec3<W>(environment.at(column, row) * weight);
             weights += W(weight);
         }

@@ -58,9 +58,9 @@ public:
         using std::log2;
         const T side = pi<T>() / T(levels.front().height);
         const T finest(0), coarsest = static_cast<T>(levels.size() - 1);
-        const T lod = min(max(finest, log2(solid_angle / (side * side)) / T(2)), coarsest);  // in this order a NaN is the finest
+        const T lod = smaller(larger(finest, log2(solid_angle / (side * side)) / T(2)), coarsest);  // in this order a NaN is the finest
         const auto low = static_cast<std::size_t>(lod);
-        const auto high = std::min(low + 1, levels.size() - 1);
+        const auto high = (std::min)(low + 1, levels.size() - 1);
         const T t = lod - static_cast<T>(low);
         return levels[low](direction) * (T(1) - t) + levels[high](direction) * t;
     }
@@ -82,8 +82,8 @@ private:
                 T weights(0);
                 for (int row = static_cast<int>(top); row < fine.height && static_cast<T>(row) < bottom; ++row)
                     for (int column = static_cast<int>(left); column < fine.width && static_cast<T>(column) < right; ++column) {
-                        const T from = max(static_cast<T>(row), top), to = min(static_cast<T>(row + 1), bottom);
-                        const T across = min(static_cast<T>(column + 1), right) - max(static_cast<T>(column), left);
+                        const T from = larger(static_cast<T>(row), top), to = smaller(static_cast<T>(row + 1), bottom);
+                        const T across = smaller(static_cast<T>(column + 1), right) - larger(static_cast<T>(column), left);
                         const T turn = T(0.25) / static_cast<T>(fine.height);  // cos theta(from) - cos theta(to), as a product
                         const T weight = across * sincos_2pi((from + to) * turn).sin * sincos_2pi((to - from) * turn).sin;
                         total += fine.at(column, row) * weight;

@@ -32,7 +32,7 @@ auto prefiltered_radiance(const Environment& environment, const vec3<T>& r, cons
     for (std::uint32_t i = 0; i < count; ++i) {
         const vec3<T> m = normals.sample(hammersley<T>(i, count));
         const vec3<T> l = reflect(vec3<T>{T(0), T(0), T(1)}, m);
-        const T weight = max(l.z, T(0));
+        const T weight = larger(l.z, T(0));
         if constexpr (std::is_invocable_v<const Environment&, const vec3<T>&, const T&>)
             total = total + WS(environment(at.to_world(l), T(16) / (T(count) * normals.D(m)))) * W(weight);
         else

@@ -77,7 +77,7 @@ public:
 
     constexpr T operator()(const T& d2) const {
         const T x = d2 * inverse_range2;
-        return max((T(1) - x) * (T(1) + x), T(0)) / d2;
+        return larger((T(1) - x) * (T(1) + x), T(0)) / d2;
     }
 
 private:
@@ -91,18 +91,18 @@ class point_light : exact_points {
 public:
     using exact_points::operator();
     constexpr point_light(const vec3<T>& position, const S& intensity, const Falloff& falloff = {})
-        : p(position), I(intensity), attenuation(falloff) {}
+        : p(position), I_v(intensity), attenuation(falloff) {}
 
     constexpr incident_light<S, T> operator()(const vec3<T>& point) const {
         using std::sqrt;
         const vec3<T> d = p - point;
         const T d2 = dot(d, d);
-        return {d / sqrt(d2), I * attenuation(d2)};
+        return {d / sqrt(d2), I_v * attenuation(d2)};
     }
 
 private:
     vec3<T> p;
-    S I;
+    S I_v;  // candela, as photometry writes it (a bare I is a macro of <complex.h>)
     [[no_unique_address]] Falloff attenuation;
 };
 
@@ -125,7 +125,7 @@ public:
     /// axis: unit, where the spot points; w: unit, from the spot to the point.
     constexpr T operator()(const vec3<T>& axis, const vec3<T>& w) const {
         const vec3<T> e = axis - w;
-        const T t = min(max((outside - dot(e, e) / T(2)) * inverse_width, T(0)), T(1));
+        const T t = smaller(larger((outside - dot(e, e) / T(2)) * inverse_width, T(0)), T(1));
         return t * t;
     }
 

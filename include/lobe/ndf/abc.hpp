@@ -32,7 +32,7 @@ public:
     constexpr T survival(const T& tau) const {
         using std::log1p;
         const T from = log_y(tau);
-        return moment(B, C, from, max(log1p(B) - from, T(0))) / whole;
+        return moment(B, C, from, larger(log1p(B) - from, T(0))) / whole;
     }
 
     /// Newton's method on ln y. Scalar types only.
@@ -49,7 +49,7 @@ public:
                 const T left = B - expm1(at);
                 return detail::value_and_slope<T>{moment(B, C, T(0), at) / whole - u, left * exp((T(1) - C) * at) / whole};
             });
-            const T x = min(expm1(l) / B, T(1) - std::numeric_limits<T>::epsilon()), c = T(1) - x;
+            const T x = smaller(expm1(l) / B, T(1) - std::numeric_limits<T>::epsilon()), c = T(1) - x;
             return expm1(l) / T(2) * (T(2) - x) / (c * c);
         }
     }

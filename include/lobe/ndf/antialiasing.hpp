@@ -51,7 +51,7 @@ constexpr oriented_width<T> principal_axes(const slope_matrix<T>& m, const T& fl
     using std::abs, std::sqrt;
     const T d = (m.xx - m.yy) / T(2), r = sqrt(d * d + m.xy * m.xy);
     const T wide = (m.xx + m.yy) / T(2) + r;
-    const T narrow = max((m.xx * m.yy - m.xy * m.xy) / wide, floor);
+    const T narrow = larger((m.xx * m.yy - m.xy * m.xy) / wide, floor);
     const T along = select(r > T(0), r + abs(d), T(1)), across = m.xy;  // one is a sum, so that nothing cancels
     const T length = sqrt(along * along + across * across);
     return {{sqrt(wide), sqrt(narrow)}, {select(d < T(0), across, along) / length, select(d < T(0), along, across) / length}};
@@ -64,7 +64,7 @@ constexpr oriented_width<T> principal_axes(const slope_matrix<T>& m, const T& fl
 template <scalar T>
 constexpr oriented_width<T> widened(const alpha_xy<T>& a, const slope_matrix<T>& covariance) {
     const T x2 = a.x() * a.x(), y2 = a.y() * a.y();
-    return detail::principal_axes(slope_matrix<T>{x2 + T(2) * covariance.xx, T(2) * covariance.xy, y2 + T(2) * covariance.yy}, min(x2, y2));
+    return detail::principal_axes(slope_matrix<T>{x2 + T(2) * covariance.xx, T(2) * covariance.xy, y2 + T(2) * covariance.yy}, smaller(x2, y2));
 }
 
 /// What a texel of a LEAN map holds: the mean b and the second moment M of the slopes. Texels are averaged (mip-mapped,
@@ -92,7 +92,7 @@ struct lean_moments {
 
     /// M - b b^T; a variance that rounding would make negative is 0.
     constexpr slope_matrix<T> covariance() const {
-        return {max(M.xx - b.x * b.x, T(0)), M.xy - b.x * b.y, max(M.yy - b.y * b.y, T(0))};
+        return {larger(M.xx - b.x * b.x, T(0)), M.xy - b.x * b.y, larger(M.yy - b.y * b.y, T(0))};
     }
 };
 
@@ -115,7 +115,7 @@ struct clean_moments {
     constexpr vec3<T> normal() const { return normalize(vec3<T>{-b.x, -b.y, T(1)}); }
 
     /// Along each axis: half the trace of the covariance.
-    constexpr T variance() const { return max(M - dot(b, b), T(0)) / T(2); }
+    constexpr T variance() const { return larger(M - dot(b, b), T(0)) / T(2); }
 };
 
 /// The slope variance that an averaged normal's length tells: (1 - |N|)/|N|. No map but the normals is needed. Lengths above 1, which
@@ -124,7 +124,7 @@ struct clean_moments {
 template <scalar T>
 constexpr T toksvig_variance(const T& length_of_mean_normal) {
     assert(all(length_of_mean_normal > T(0)) && "toksvig_variance: the mean normal must have a length above 0");
-    return max(T(1) - length_of_mean_normal, T(0)) / length_of_mean_normal;
+    return larger(T(1) - length_of_mean_normal, T(0)) / length_of_mean_normal;
 }
 
 /// Toksvig's own form, for a Phong exponent p: p' = p |N|/(|N| + p (1 - |N|)), and so 1/p' = 1/p + variance.
@@ -149,14 +149,14 @@ template <scalar T>
 constexpr alpha<T> widened_by_pixel(const alpha<T>& a, const vec3<T>& dn_dx, const vec3<T>& dn_dy, const T& kappa = T(9) / T(50)) {
     using std::sqrt;
     const T a2 = a.value() * a.value();
-    return alpha<T>(sqrt(min(a2 + min(T(2) * pixel_variance(dn_dx, dn_dy), kappa), max(a2, T(1)))));
+    return alpha<T>(sqrt(smaller(a2 + smaller(T(2) * pixel_variance(dn_dx, dn_dy), kappa), larger(a2, T(1)))));
 }
 
 template <scalar T>
 constexpr alpha_xy<T> widened_by_pixel(const alpha_xy<T>& a, const vec3<T>& dn_dx, const vec3<T>& dn_dy, const T& kappa = T(9) / T(50)) {
     using std::sqrt;
-    const T k2 = min(T(2) * pixel_variance(dn_dx, dn_dy), kappa), x2 = a.x() * a.x(), y2 = a.y() * a.y();
-    return {sqrt(min(x2 + k2, max(x2, T(1)))), sqrt(min(y2 + k2, max(y2, T(1))))};
+    const T k2 = smaller(T(2) * pixel_variance(dn_dx, dn_dy), kappa), x2 = a.x() * a.x(), y2 = a.y() * a.y();
+    return {sqrt(smaller(x2 + k2, larger(x2, T(1)))), sqrt(smaller(y2 + k2, larger(y2, T(1))))};
 }
 
 /// The full filter: the half vector's footprint as a matrix. GGX seen from above is, in the disk of (m.x, m.y), a distribution of
@@ -174,7 +174,7 @@ constexpr oriented_width<T> widened_by_half_vector(const alpha_xy<T>& a, const v
     const T area = s * (dh_dx.x * dh_dy.y - dh_dx.y * dh_dy.x), det_KB = area * area * bx * by;
     const T det = T(1) + xx + yy + det_KB;
     return detail::principal_axes(
-        slope_matrix<T>{(x2 * (T(1) + yy) + xx + det_KB) / det, xy / det, (y2 * (T(1) + xx) + yy + det_KB) / det}, min(x2, y2));
+        slope_matrix<T>{(x2 * (T(1) + yy) + xx + det_KB) / det, xy / det, (y2 * (T(1) + xx) + yy + det_KB) / det}, smaller(x2, y2));
 }
 
 }  // namespace lobe

@@ -28,8 +28,8 @@ struct beckmann_shape {
     /// (exp(-a^2)/sqrt(pi) - a erfc(a))/2; from a = 1e4 on it is below exp(-1e8). Beside the cosine, its cancellation does not show.
     constexpr T back(const T& cotangent) const {
         using std::erfc, std::exp, std::sqrt;
-        const T a = min(cotangent, T(1e4f));
-        return max(exp(-a * a) / sqrt(pi<T>()) - a * erfc(a), T(0)) / T(2);
+        const T a = smaller(cotangent, T(1e4f));
+        return larger(exp(-a * a) / sqrt(pi<T>()) - a * erfc(a), T(0)) / T(2);
     }
 
     /// back(a)/a, from a = 4 on by 20 terms of the continued fraction
@@ -40,7 +40,7 @@ struct beckmann_shape {
         if constexpr (detail::beyond_double<T>) {
             return back(cotangent) / cotangent;
         } else {
-            const T a = min(cotangent, T(30));  // exp(-900) is zero
+            const T a = smaller(cotangent, T(30));  // exp(-900) is zero
             T r = a, before(1), r2(0);
             for (int n = 19; n >= 0; --n) {
                 const T next = a * r + T(n + 1) / T(2) * before;
@@ -61,15 +61,15 @@ struct beckmann_shape {
         requires(detail::single<T>)
     {
         using std::erfc, std::exp, std::sqrt;
-        const T z = v.z, s = sqrt(v.x * v.x + v.y * v.y), root_pi = sqrt(pi<T>()), far(9);
-        const T top = z < far * s ? max(quotient(z, s), -far) : far;
+        const T z = v.z, s = sqrt(v.x * v.x + v.y * v.y), root_pi = sqrt(pi<T>()), last(9);
+        const T top = z < last * s ? larger(quotient(z, s), -last) : last;
         const auto visible_below = [&](const T& x) { return (z * erfc(-x) + s * exp(-x * x) / root_pi) / T(2); };
         const T wanted = u.x * visible_below(top);
-        const T x = detail::root_of_increasing<T>(-far, top, min(T(0), top), [&](const T& at) {
+        const T x = detail::root_of_increasing<T>(-last, top, smaller(T(0), top), [&](const T& at) {
             return detail::value_and_slope<T>{visible_below(at) - wanted, (z - s * at) * exp(-at * at) / root_pi};
         });
 
-        const T half = max(min(u.y, T(1) - u.y), T(1e-35f));
+        const T half = larger(smaller(u.y, T(1) - u.y), T(1e-35f));
         const T y = (u.y < T(1) / T(2) ? T(-1) : T(1)) * detail::inverse_half_erfc(half);
         const T ex = s > T(0) ? v.x / s : T(1), ey = s > T(0) ? v.y / s : T(0);
         return {-(x * ex - y * ey), -(x * ey + y * ex), T(1)};
@@ -101,8 +101,8 @@ template <scalar T>
 struct beckmann_walter_shape : beckmann_shape<T> {
     using approximate_area = void;
     constexpr T back(const T& a) const {
-        const T last = T(8) / T(5), near = min(a, last);
-        const T fit = (T(1000) + near * (T(396) * near - T(1259))) / (T(3535) + T(2181) * near);
+        const T last = T(8) / T(5), inside = smaller(a, last);
+        const T fit = (T(1000) + inside * (T(396) * inside - T(1259))) / (T(3535) + T(2181) * inside);
         return select(a < last, fit, T(0));
     }
     constexpr T lambda(const T& a) const { return back(a) / a; }

@@ -20,7 +20,7 @@ constexpr T D_ggx_half(const vec3<T>& m, const alpha<T>& a, const T& largest = T
     const T x = T(8) * m.x, y = T(8) * m.y, z = T(8) * m.z;
     const T q = x * (x / a.value()) + y * (y / a.value()) + z * (a.value() * z);
     const T k = T(64) / q;
-    return select(m.z < T(0), T(0), min(inv_pi<T>() * k * k, largest));
+    return select(m.z < T(0), T(0), smaller(inv_pi<T>() * k * k, largest));
 }
 
 }  // namespace lobe

@@ -34,7 +34,7 @@ public:
     /// The narrower along each axis.
     constexpr vec2<T> width() const {
         const vec2<T> a = first.width(), b = second.width();
-        return {min(a.x, b.x), min(a.y, b.y)};
+        return {smaller(a.x, b.x), smaller(a.y, b.y)};
     }
 
     [[gnu::always_inline]] constexpr vec3<T> sample(const vec2<T>& u) const
@@ -52,7 +52,7 @@ public:
         const chosen c(quotient(a, a + b), u.x);
         return select(c.first, first.sample_visible(v, {c.u, u.y}), second.sample_visible(v, {c.u, u.y}));
     }
-    constexpr T pdf_visible(const vec3<T>& v, const vec3<T>& m) const { return max(dot(v, m), T(0)) * D(m) / projected_area(v); }
+    constexpr T pdf_visible(const vec3<T>& v, const vec3<T>& m) const { return larger(dot(v, m), T(0)) * D(m) / projected_area(v); }
 
 private:
     constexpr T mix(const T& a, const T& b) const { return (T(1) - w) * a + w * b; }

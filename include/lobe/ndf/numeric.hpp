@@ -95,7 +95,7 @@ struct value_and_slope {
 template <single T, class F>
 T root_of_increasing(T low, T high, T x, const F& f) {
     using std::abs, std::sqrt;
-    const T epsilon = std::numeric_limits<T>::epsilon(), precision = T(4) * epsilon, small = sqrt(epsilon) / T(8);
+    const T epsilon = std::numeric_limits<T>::epsilon(), precision = T(4) * epsilon, quadratic = sqrt(epsilon) / T(8);
     if (!(x > low && x < high)) x = (low + high) / T(2);
     for (int i = 0; i < 100; ++i) {
         const value_and_slope<T> here = f(x);
@@ -106,7 +106,7 @@ T root_of_increasing(T low, T high, T x, const F& f) {
         const T next = inside ? newton : (low + high) / T(2);
         const T step = abs(next - x);
         x = next;
-        if (!(step > (inside ? small : precision) * abs(x)) || !(high - low > precision * max(abs(low), abs(high)))) break;
+        if (!(step > (inside ? quadratic : precision) * abs(x)) || !(high - low > precision * larger(abs(low), abs(high)))) break;
     }
     return x;
 }

@@ -41,7 +41,7 @@ public:
     /// cos(2 theta)^(n + 1), n + 1 = (1 + alpha^2)/(2 alpha^2).
     constexpr T survival(const T& tau) const {
         using std::exp, std::log1p;
-        const T t = min(a2 * tau, T(1));
+        const T t = smaller(a2 * tau, T(1));
         return exp((log1p(-t) - log1p(t)) * ((T(1) + a2) / (T(2) * a2)));
     }
     constexpr T tan2(const T& u) const {

@@ -40,10 +40,10 @@ auto average_over_steep(const Shape& shape, const T& a, const T& from, const G& 
     using std::sqrt;
     const auto integrand = [&](const T& R) { return g(R) * (T(2) * pi<T>() * slope_density(shape, a * a + R * R) * R); };
     if constexpr (requires { shape.max_tan2(); }) {
-        const T room = max(T(shape.max_tan2()) - a * a, from * from);
+        const T room = larger(T(shape.max_tan2()) - a * a, from * from);
         return integral_between(from, sqrt(room), integrand);
     } else {
-        return integral_to_infinity(max(max(a, from), T(1)), [&](const T& x) { return integrand(from + x); });
+        return integral_to_infinity(larger(larger(a, from), T(1)), [&](const T& x) { return integrand(from + x); });
     }
 }
 
@@ -69,9 +69,9 @@ value_and_slope<T> back_by_quadrature(const Shape& shape, const T& a) {
 template <class Shape, single T>
 vec3<T> sample_visible_radial(const Shape& shape, const T& back, const vec3<T>& v, const vec2<T>& u) {
     using std::abs, std::asinh, std::atan2, std::cos, std::log, std::sin, std::sinh, std::sqrt;
-    const T z = v.z, s = sqrt(v.x * v.x + v.y * v.y), cot = s > T(0) ? z / s : T(0), a = max(cot, -cot);
-    const T sigma = max(z, T(0)) + s * back;
-    const T steeper = s > T(0) ? shape.survival(a * a) : T(0), gentle = max(z, T(0)) * (T(1) - steeper);
+    const T z = v.z, s = sqrt(v.x * v.x + v.y * v.y), cot = s > T(0) ? z / s : T(0), a = larger(cot, -cot);
+    const T sigma = larger(z, T(0)) + s * back;
+    const T steeper = s > T(0) ? shape.survival(a * a) : T(0), gentle = larger(z, T(0)) * (T(1) - steeper);
 
     T r(0), phi_max = pi<T>();
     if (u.x * sigma < gentle) {
@@ -84,11 +84,11 @@ vec3<T> sample_visible_radial(const Shape& shape, const T& back, const vec3<T>& 
             const T R = sinh(x);
             return visible(R) * (T(2) * pi<T>() * slope_density(shape, a * a + R * R) * R * sqrt(T(1) + R * R));
         };
-        const T wanted = max((T(1) - u.x) * sigma, (std::numeric_limits<T>::min)());
+        const T wanted = larger((T(1) - u.x) * sigma, (std::numeric_limits<T>::min)());
         T known_x(-1), known_share(0), known_slope(0);
         const auto excess = [&](const T& x) {
             // a few short steps from where the share is known cost less than the whole tail
-            const T steps = abs(x - known_x) * max(T(1), known_slope) * T(4);
+            const T steps = abs(x - known_x) * larger(T(1), known_slope) * T(4);
             const T share = known_x >= T(0) && steps < T(9) ? known_share - short_integral(known_x, x, static_cast<int>(steps) + 1, density)
                                                             : average_over_steep(shape, a, T(sinh(x)), visible);
             if (!(share > T(0))) return value_and_slope<T>{T(1), T(1)};
@@ -96,9 +96,9 @@ vec3<T> sample_visible_radial(const Shape& shape, const T& back, const vec3<T>& 
             return value_and_slope<T>{log(wanted / share), known_slope};
         };
         T widest(115);
-        if constexpr (requires { shape.max_tan2(); }) widest = asinh(sqrt(max(T(shape.max_tan2()) - a * a, T(0))));
+        if constexpr (requires { shape.max_tan2(); }) widest = asinh(sqrt(larger(T(shape.max_tan2()) - a * a, T(0))));
         const T steep = sigma - gentle, guess = shape.tan2(T(1) - steeper * (wanted < steep ? wanted / steep : T(1))) - a * a;
-        const T R = sinh(root_of_increasing<T>(T(0), widest, asinh(sqrt(max(guess, T(0)))), excess));
+        const T R = sinh(root_of_increasing<T>(T(0), widest, asinh(sqrt(larger(guess, T(0)))), excess));
         r = sqrt(a * a + R * R);
         phi_max = atan2(R, -cot);
     }
@@ -116,7 +116,7 @@ template <class Shape, single T>
 vec3<T> sample_visible_by_quadrature(const Shape& shape, const vec3<T>& v, const vec2<T>& u) {
     using W = at_least_double<T>;
     using std::sqrt;
-    const T cotangent = min(quotient(T(max(v.z, -v.z)), T(sqrt(v.x * v.x + v.y * v.y))), largest<T>());
+    const T cotangent = smaller(quotient(T(larger(v.z, -v.z)), T(sqrt(v.x * v.x + v.y * v.y))), largest<T>());
     const vec3<W> wide = normalize(vec3<W>{W(v.x), W(v.y), W(v.z)});
     const vec3<W> m = normalize(sample_visible_radial(shape.template as<W>(), W(shape.back(cotangent)), wide, {W(u.x), W(u.y)}));
     return {T(m.x), T(m.y), T(m.z)};
@@ -134,7 +134,7 @@ public:
     /// so that the horizon gets the limit from above.
     template <class Width>
     constexpr T D(const vec3<T>& m, const Width& width) const {
-        const T z = max(m.z, max(max(m.x, -m.x), max(m.y, -m.y)) * detail::horizon<T>());
+        const T z = larger(m.z, larger(larger(m.x, -m.x), larger(m.y, -m.y)) * detail::horizon<T>());
         const vec3<T> s = width.unstretch(vec3<T>{m.x, m.y, z});
         return shape.D(quotient(s.x * s.x + s.y * s.y, s.z * s.z), quotient(m.x * m.x + m.y * m.y, z * z) + T(1)) / (width.x() * width.y());
     }
@@ -143,7 +143,7 @@ public:
     constexpr T projected_area(const vec3<T>& w) const {
         using std::sqrt;
         const T s = sqrt(w.x * w.x + w.y * w.y);
-        return max(w.z, T(0)) + s * shape.back(cotangent(w.z, s));
+        return larger(w.z, T(0)) + s * shape.back(cotangent(w.z, s));
     }
 
     constexpr T lambda(const vec3<T>& w) const {
@@ -174,7 +174,7 @@ public:
     }
 
 private:
-    static constexpr T cotangent(const T& z, const T& s) { return min(quotient(max(z, -z), s), detail::largest<T>()); }
+    static constexpr T cotangent(const T& z, const T& s) { return smaller(quotient(larger(z, -z), s), detail::largest<T>()); }
 
     [[no_unique_address]] Shape shape;
 
@@ -220,7 +220,7 @@ public:
         const T t = x - T(i), s = T(1) - t;
         const auto &n0 = node[static_cast<std::size_t>(i)], &n1 = node[static_cast<std::size_t>(i) + 1];
         const T cubic = s * s * ((T(1) + T(2) * t) * n0.value + t * n0.slope) + t * t * ((T(1) + T(2) * s) * n1.value - s * n1.slope);
-        return max(cubic, T(0));  // where the area is far below the error
+        return larger(cubic, T(0));  // where the area is far below the error
     }
 
 private:

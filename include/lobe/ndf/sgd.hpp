@@ -39,7 +39,7 @@ public:
         } else {
             using std::exp, std::expm1, std::log, std::log1p;
             const T wanted = -log1p(-u), most = log1p(T(80) / a);
-            return expm1(detail::root_of_increasing<T>(T(0), most, min(wanted / (a + p), most), [&](const T& y) {
+            return expm1(detail::root_of_increasing<T>(T(0), most, smaller(wanted / (a + p), most), [&](const T& y) {
                 const T tau = expm1(y), left = survival(tau);
                 if (!(left > T(0))) return detail::value_and_slope<T>{T(1), T(0)};
                 return detail::value_and_slope<T>{-log(left) - wanted, D(tau, T(1)) * pi<T>() * exp(y) / left};

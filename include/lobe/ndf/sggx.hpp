@@ -72,7 +72,7 @@ public:
         const vec3<T> h = frame<T>(normalize(seen(v))).to_world(square_to_cosine_hemisphere(u));
         return normalize(h.x * x + h.y * y + h.z * z);
     }
-    constexpr T pdf_visible(const vec3<T>& v, const vec3<T>& m) const { return max(dot(v, m), T(0)) * D(m) / projected_area(v); }
+    constexpr T pdf_visible(const vec3<T>& v, const vec3<T>& m) const { return larger(dot(v, m), T(0)) * D(m) / projected_area(v); }
 
 private:
     constexpr sggx(const vec3<T>& column_x, const vec3<T>& column_y, const vec3<T>& column_z) : x(column_x), y(column_y), z(column_z) {

@@ -98,7 +98,7 @@ struct incomplete_gamma {
 template <single T>
 T upper_gamma(const T& s, const T& x) {
     using std::exp, std::log, std::pow;
-    const T from = max(x, T(1));
+    const T from = larger(x, T(1));
     const auto a = [&](int n) { return n == 1 ? T(1) : T(n - 1) * (s - T(n - 1)); };
     const auto b = [&](int n) { return from + T(2 * n - 1) - s; };
     const T weight = exp(-from) * pow(from, s);

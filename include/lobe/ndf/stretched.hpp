@@ -63,7 +63,7 @@ public:
         return normalize(size.stretch(profile.sample_visible(normalize(size.stretch(v)), u)));
     }
     constexpr T pdf_visible(const vec3<T>& v, const vec3<T>& m) const {
-        return max(dot(v, m), T(0)) * D(m) / projected_area(v);
+        return larger(dot(v, m), T(0)) * D(m) / projected_area(v);
     }
 
 private:

@@ -56,7 +56,7 @@ public:
             const T ratio = gamma_ratio() / sqrt(pi<T>());
             const T Q = detail::incomplete_beta(k, T(1) / T(2), y, complement, ratio) / T(2);
             const T B = sqrt(k) * ratio / (T(2) * k - T(1));
-            return max(B * exp((T(1) / T(2) - k) * log1p(x)) - (Q > T(0) ? a * Q : T(0)), T(0));
+            return larger(B * exp((T(1) / T(2) - k) * log1p(x)) - (Q > T(0) ? a * Q : T(0)), T(0));
         }
     }
 

@@ -52,11 +52,11 @@ struct concentric_point {
 template <scalar T>
 constexpr concentric_point<T> concentric(const vec2<T>& u) {
     const T a = T(2) * u.x - T(1), b = T(2) * u.y - T(1);
-    const T edge_x = min(u.x, T(1) - u.x), edge_y = min(u.y, T(1) - u.y);
+    const T edge_x = smaller(u.x, T(1) - u.x), edge_y = smaller(u.y, T(1) - u.y);
     const auto wide = edge_x < edge_y;
     const T r = select(wide, a, b), other = select(wide, b, a);
     const auto [s, c] = sincos_2pi(other / select(r == T(0), T(1), r) * T(0.125f));
-    return {{r * select(wide, c, s), r * select(wide, s, c)}, min(edge_x, edge_y)};
+    return {{r * select(wide, c, s), r * select(wide, s, c)}, smaller(edge_x, edge_y)};
 }
 
 }  // namespace detail
@@ -109,7 +109,7 @@ constexpr vec3<T> square_to_cosine_hemisphere(const vec2<T>& u) {
 /// cos(theta)/pi above the horizon, zero below.
 template <scalar T>
 constexpr T cosine_hemisphere_pdf(const vec3<T>& w) {
-    return max(w.z, T(0)) * inv_pi<T>();
+    return larger(w.z, T(0)) * inv_pi<T>();
 }
 
 template <scalar T>

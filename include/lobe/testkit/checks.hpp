@@ -56,10 +56,10 @@ public:
         : property(std::move(of)), tolerance(relative), otherwise(std::move(meaning)) {}
 
     /// Values at which T begins to lose digits say nothing.
-    static constexpr double smallest = 1e6 * static_cast<double>(std::numeric_limits<T>::min());
+    static constexpr double smallest = 1e6 * static_cast<double>((std::numeric_limits<T>::min)());
 
     void add(double measured, double expected, const place<T>& at, std::size_t channel = 0) {
-        const double size = std::max(std::abs(measured), std::abs(expected));
+        const double size = (std::max)(std::abs(measured), std::abs(expected));
         if (!(size > smallest)) return;
         ++count;
         if (expected != 0) ratios.add(measured / expected);
@@ -83,7 +83,7 @@ public:
         for (std::size_t i = 0; i < spread.kept.size(); i += step) looked_at.push_back(spread.kept[i]);
         std::vector<double> noises, sorted;
         const auto relative_noise = [&](const suspect& s) {
-            return noise(s.at, s.channel) / std::max(std::abs(s.measured), std::abs(s.expected));
+            return noise(s.at, s.channel) / (std::max)(std::abs(s.measured), std::abs(s.expected));
         };
         for (const suspect& s : looked_at) noises.push_back(relative_noise(s));
         // At one place a function may round alike whatever is done to it: the noise is at least what three of four places have.
@@ -97,8 +97,8 @@ public:
         std::vector<ratio_at> wrong;
         for (std::size_t i = 0; i < looked_at.size(); ++i) {
             const suspect& s = looked_at[i];
-            const double size = std::max(std::abs(s.measured), std::abs(s.expected));
-            const double limit = (tolerance + 4 * std::max(noises[i], typical)) * size;
+            const double size = (std::max)(std::abs(s.measured), std::abs(s.expected));
+            const double limit = (tolerance + 4 * (std::max)(noises[i], typical)) * size;
             const double excess = std::abs(s.measured - s.expected) / limit;
             if (excess > 1 && s.expected != 0) wrong.push_back({s.measured / s.expected, vec3<double>(s.at.v), vec3<double>(s.at.l)});
             if (excess > worst) worst = excess, allowed = limit, at = s;
@@ -117,7 +117,7 @@ public:
                 return;
             }
         }
-        r.add({{property, at.measured, at.expected, std::max(allowed, tolerance * std::abs(at.expected)), "", ""}, true});
+        r.add({{property, at.measured, at.expected, (std::max)(allowed, tolerance * std::abs(at.expected)), "", ""}, true});
     }
 
 private:
@@ -293,19 +293,19 @@ public:
             },
             [&](const vec2<T>& u) { return draw(u).has_value(); }, budget_, 4, 1);
 
-        const auto &I = over_l.integral(), &U = over_u.value, &e = over_l.error(), &eu = over_u.error;
+        const auto &by_l = over_l.integral(), &by_u = over_u.value, &e = over_l.error(), &eu = over_u.error;
         const double allowed = tolerance + relative_rounding<T>(over_l, chart, view, density);
-        total.add(I[0], U[0], allowed * U[0] + e[0] + eu[0] + least_that_counts, v, at);
-        if (!(I[0] > 10 * least_that_counts) || !(U[0] > 10 * least_that_counts)) return;  // hardly a sample succeeds
+        total.add(by_l[0], by_u[0], allowed * by_u[0] + e[0] + eu[0] + least_that_counts, v, at);
+        if (!(by_l[0] > 10 * least_that_counts) || !(by_u[0] > 10 * least_that_counts)) return;  // hardly a sample succeeds
         for (std::size_t k = 1; k < 6; ++k) {
-            const double size = k < 4 ? I[k] / I[0] : I[k - 3] / I[0];
-            means.add(U[k] / U[0], I[k] / I[0], allowed * size + (e[k] + e[0] * size) / I[0] + (eu[k] + eu[0] * size) / U[0], v, at);
+            const double size = k < 4 ? by_l[k] / by_l[0] : by_l[k - 3] / by_l[0];
+            means.add(by_u[k] / by_u[0], by_l[k] / by_l[0], allowed * size + (e[k] + e[0] * size) / by_l[0] + (eu[k] + eu[0] * size) / by_u[0], v, at);
         }
 
         // A small probability is asked for again, twice, with four times as many samples; not where the fault is found already.
         double chance = probability(over_l, chart, samples);
         for (std::uint64_t again = 1; again <= 2 && chance < significance() && total.holds() && means.holds(); ++again)
-            chance = std::max(chance, probability(over_l, chart, draw_strata(draw, 2 * budget_.strata, seed + 500 * again)));
+            chance = (std::max)(chance, probability(over_l, chart, draw_strata(draw, 2 * budget_.strata, seed + 500 * again)));
         if (chance < least) least = chance, least_at = at;
     }
 
@@ -351,8 +351,8 @@ private:
         const double n = static_cast<double>(samples.size());
         std::vector<bin> bins;
         for (const std::size_t at : over_l.leaves())
-            bins.push_back({n * std::max(over_l.cells()[at].integral[0], 0.0) / over_l.integral()[0], count[at]});
-        return std::min(chi_squared_probability(merged(bins, 10)), chi_squared_probability(merged(bins, n / 24)));
+            bins.push_back({n * (std::max)(over_l.cells()[at].integral[0], 0.0) / over_l.integral()[0], count[at]});
+        return (std::min)(chi_squared_probability(merged(bins, 10)), chi_squared_probability(merged(bins, n / 24)));
     }
 
     /// 1 % for all tests together (Sidak).

@@ -42,8 +42,8 @@ public:
         const double width = std::ldexp(1.0 / nx, -halvings), height = std::ldexp(1.0 / ny, -halvings);
         for (std::size_t at = 0; at < cells_.size(); ++at) {  // the loop reaches the new cells, too
             const cell c = cells_[at];
-            const bool near = std::abs(x - c.x0 - c.width / 2) <= c.width && std::abs(y - c.y0 - c.height / 2) <= c.height;
-            if (c.leaf() && near && (c.width > 1.5 * width || c.height > 1.5 * height)) cut(at, c.width * nx >= c.height * ny);
+            const bool beside = std::abs(x - c.x0 - c.width / 2) <= c.width && std::abs(y - c.y0 - c.height / 2) <= c.height;
+            if (c.leaf() && beside && (c.width > 1.5 * width || c.height > 1.5 * height)) cut(at, c.width * nx >= c.height * ny);
         }
     }
 
@@ -70,8 +70,8 @@ public:
             sum_up();
             values scale{};
             double brightest = 0;
-            for (std::size_t k = 0; k < colours; ++k) brightest = std::max(brightest, std::abs(total_[k]));
-            for (std::size_t k = 0; k < driving; ++k) scale[k] = std::max(k < colours ? brightest : std::abs(total_[k]), 1e-9);
+            for (std::size_t k = 0; k < colours; ++k) brightest = (std::max)(brightest, std::abs(total_[k]));
+            for (std::size_t k = 0; k < driving; ++k) scale[k] = (std::max)(k < colours ? brightest : std::abs(total_[k]), 1e-9);
             const auto open = [&](std::size_t k) { return error_[k] > tolerance * scale[k]; };
             bool done = evaluations_ >= max_evaluations;
             if (!done) {
@@ -87,7 +87,7 @@ public:
                 if (!cells_[at].leaf()) continue;
                 double e = 0;
                 for (std::size_t k = 0; k < driving; ++k)
-                    if (open(k)) e = std::max(e, cells_[at].error[k] / scale[k]);
+                    if (open(k)) e = (std::max)(e, cells_[at].error[k] / scale[k]);
                 by_error.push_back({e, at});
                 all += e;
             }
@@ -187,9 +187,9 @@ private:
 
     void apply_rule(cell& c) {
         const double x = c.x0 + c.width / 2, y = c.y0 + c.height / 2, hx = c.width / 2, hy = c.height / 2;
-        const double near = std::sqrt(9.0 / 70), far = std::sqrt(9.0 / 10), corner = std::sqrt(9.0 / 19);
+        const double inner = std::sqrt(9.0 / 70), outer = std::sqrt(9.0 / 10), corner = std::sqrt(9.0 / 19);
         evaluations_ += 17;
-        values middle = f(x, y), along_near{}, along_far{}, diagonal_far{}, diagonal_corner{}, fourth_x{}, fourth_y{};
+        values middle = f(x, y), along_inner{}, along_outer{}, diagonal_outer{}, diagonal_corner{}, fourth_x{}, fourth_y{};
         const auto accumulate = [&](values& sum, double dx, double dy) {
             const values v = f(x + dx * hx, y + dy * hy);
             for (std::size_t k = 0; k < N; ++k) sum[k] += v[k];
@@ -197,28 +197,28 @@ private:
         for (const bool is_x : {true, false}) {
             values close{}, wide{};
             for (const double sign : {-1.0, 1.0}) {
-                accumulate(close, is_x ? sign * near : 0, is_x ? 0 : sign * near);
-                accumulate(wide, is_x ? sign * far : 0, is_x ? 0 : sign * far);
+                accumulate(close, is_x ? sign * inner : 0, is_x ? 0 : sign * inner);
+                accumulate(wide, is_x ? sign * outer : 0, is_x ? 0 : sign * outer);
             }
             for (std::size_t k = 0; k < N; ++k) {
                 (is_x ? fourth_x : fourth_y)[k] =
-                    std::abs(close[k] - 2 * middle[k] - (near * near) / (far * far) * (wide[k] - 2 * middle[k]));
-                along_near[k] += close[k];
-                along_far[k] += wide[k];
+                    std::abs(close[k] - 2 * middle[k] - (inner * inner) / (outer * outer) * (wide[k] - 2 * middle[k]));
+                along_inner[k] += close[k];
+                along_outer[k] += wide[k];
             }
         }
         for (const double sx : {-1.0, 1.0})
             for (const double sy : {-1.0, 1.0}) {
-                accumulate(diagonal_far, sx * far, sy * far);
+                accumulate(diagonal_outer, sx * outer, sy * outer);
                 accumulate(diagonal_corner, sx * corner, sy * corner);
             }
         const double area = c.width * c.height;
         double dx = 0, dy = 0, size = 1e-300;
         for (std::size_t k = 0; k < N; ++k) {
-            c.integral[k] = area * (-3816.0 / 19683 * middle[k] + 980.0 / 6561 * along_near[k] + 1020.0 / 19683 * along_far[k] +
-                                    200.0 / 19683 * diagonal_far[k] + 6859.0 / 19683 / 4 * diagonal_corner[k]);
+            c.integral[k] = area * (-3816.0 / 19683 * middle[k] + 980.0 / 6561 * along_inner[k] + 1020.0 / 19683 * along_outer[k] +
+                                    200.0 / 19683 * diagonal_outer[k] + 6859.0 / 19683 / 4 * diagonal_corner[k]);
             const double degree_5 =
-                area * (-971.0 / 729 * middle[k] + 245.0 / 486 * along_near[k] + 65.0 / 1458 * along_far[k] + 25.0 / 729 * diagonal_far[k]);
+                area * (-971.0 / 729 * middle[k] + 245.0 / 486 * along_inner[k] + 65.0 / 1458 * along_outer[k] + 25.0 / 729 * diagonal_outer[k]);
             c.error[k] = std::abs(c.integral[k] - degree_5);
             if (k < driving && c.error[k] > size) size = c.error[k], dx = fourth_x[k], dy = fourth_y[k];
         }

@@ -20,7 +20,7 @@ struct normal_chart {
     std::array<double, 2> find(const vec3<double>& m) const {
         const double turn = std::atan2(m.y, m.x) / tau;
         const double theta = std::atan2(std::hypot(m.x, m.y), m.z);
-        return {std::min(1.0, std::sqrt(std::sqrt(theta / (tau / 4)))), turn - std::floor(turn)};
+        return {(std::min)(1.0, std::sqrt(std::sqrt(theta / (tau / 4)))), turn - std::floor(turn)};
     }
 };
 
@@ -124,7 +124,7 @@ private:
         last = {m, {}, {}, false, false, "m"};
         ++of_D.calls;
         const double d = of_D.see(n.D(m), last, m.z < T(0));
-        largest = std::max(largest, d);
+        largest = (std::max)(largest, d);
         return d;
     }
 
@@ -186,7 +186,7 @@ private:
         mesh<1> over_m(
             [&](double x, double y) {
                 const auto p = chart(x, y);
-                return mesh<1>::values{std::max(0.0, dot(w, p.l)) * D(V(p.l)) * p.area};
+                return mesh<1>::values{(std::max)(0.0, dot(w, p.l)) * D(V(p.l)) * p.area};
             },
             8, 16, 1);
         over_m.refine(budget_.tolerance / 3, 1, budget_.evaluations);
@@ -201,7 +201,7 @@ private:
             for (const V& v : views(n.area_everywhere)) {
                 const auto [exact, error] = area_by_quadrature(normalize(vec3<double>(v)));
                 // Below the horizon the area is what rounding leaves of the area above: relative to |cos|, too.
-                const double size = std::max(exact, std::abs(static_cast<double>(v.z)) * 1e-3);
+                const double size = (std::max)(exact, std::abs(static_cast<double>(v.z)) * 1e-3);
                 identity.add(area(v), exact, options_.tolerance * size + error, vec3<double>(v), literal("v", v));
             }
             identity.report_to(r);
@@ -255,7 +255,7 @@ private:
             generator random(options_.seed);
             for (const V& v : all) {
                 const double exact = area_by_quadrature(normalize(vec3<double>(v)))[0];
-                const auto visible = [&](const V& m) { return std::max(0.0, dot(vec3<double>(v), vec3<double>(m))) * D(m) / exact; };
+                const auto visible = [&](const V& m) { return (std::max)(0.0, dot(vec3<double>(v), vec3<double>(m))) * D(m) / exact; };
                 const auto pdf = [&](const V& from, const V& m) { return n.pdf_visible ? n.pdf_visible(from, m) : visible(m); };
                 if (n.pdf_visible)
                     for (int i = 0; i < budget_.pairs / 8; ++i) {
@@ -268,9 +268,9 @@ private:
             density.report_to(r);
             product.report_to(r, [&](const place<T>& at, std::size_t) {
                 return 2 *
-                       rounding_noise([&](const V& v, const V& m) { return std::max(0.0, dot(vec3<double>(v), vec3<double>(m))) * D(m); },
+                       rounding_noise([&](const V& v, const V& m) { return (std::max)(0.0, dot(vec3<double>(v), vec3<double>(m))) * D(m); },
                                       at) /
-                       std::max(1e-30, area_by_quadrature(normalize(vec3<double>(at.v)))[0]);
+                       (std::max)(1e-30, area_by_quadrature(normalize(vec3<double>(at.v)))[0]);
             });
         }
     }

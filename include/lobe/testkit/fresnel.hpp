@@ -82,14 +82,14 @@ private:
     }
 
     void shape(report& r) {
-        const values grazing = at(0), normal = at(1), near = at(1 - 1e-4), far = at(1 - 1e-3);
+        const values grazing = at(0), normal = at(1), close = at(1 - 1e-4), further = at(1 - 1e-3);
         constexpr double rounding = 16 * static_cast<double>(std::numeric_limits<T>::epsilon());
         std::size_t k = 0, steep = 0;
         double steepest = -1;
         for (std::size_t i = 0; i < channels; ++i) {
             if (grazing[i] - normal[i] < grazing[k] - normal[k]) k = i;
             // dF/dcos at 1, extrapolated from two steps: the quadratic term, which is there, cancels.
-            const double slope = std::abs(10 * (normal[i] - near[i]) / 1e-4 - (normal[i] - far[i]) / 1e-3) / 9;
+            const double slope = std::abs(10 * (normal[i] - close[i]) / 1e-4 - (normal[i] - further[i]) / 1e-3) / 9;
             if (slope > steepest) steepest = slope, steep = i;
         }
         r.add({{"F at grazing is at least F at normal", grazing[k], normal[k], rounding, "cosine = 0 and 1",

@@ -86,11 +86,11 @@ public:
 
     friend std::ostream& operator<<(std::ostream& out, const report& r) {
         const auto padded = [](std::string text, std::size_t width) {
-            text.resize(std::max(width, text.size()), ' ');
+            text.resize((std::max)(width, text.size()), ' ');
             return text;
         };
         std::size_t widest = 8;
-        for (const check& c : r.checks_) widest = std::max(widest, c.property.size());
+        for (const check& c : r.checks_) widest = (std::max)(widest, c.property.size());
         out << (r.name_.empty() ? "" : r.name_ + ": ") << (r.passed() ? "passed" : "FAILED") << '\n'
             << "  " << padded("property", widest) << "            measured      expected     tolerance\n";
         for (const check& c : r.checks_) {

@@ -14,7 +14,7 @@ inline double squared_l2_star_discrepancy(const std::vector<vec2<double>>& p) {
     for (std::size_t i = 0; i < p.size(); ++i) {
         single += (1 - p[i].x * p[i].x) * (1 - p[i].y * p[i].y) / 4;
         pairs += (1 - p[i].x) * (1 - p[i].y);
-        for (std::size_t j = 0; j < i; ++j) pairs += 2 * (1 - std::max(p[i].x, p[j].x)) * (1 - std::max(p[i].y, p[j].y));
+        for (std::size_t j = 0; j < i; ++j) pairs += 2 * (1 - (std::max)(p[i].x, p[j].x)) * (1 - (std::max)(p[i].y, p[j].y));
     }
     return 1.0 / 9 - 2 * single / n + pairs / (n * n);
 }
@@ -25,7 +25,7 @@ inline double star_discrepancy(std::vector<double> x) {
     const double n = static_cast<double>(x.size());
     double worst = 0;
     for (std::size_t i = 0; i < x.size(); ++i)
-        worst = std::max({worst, x[i] - static_cast<double>(i) / n, (static_cast<double>(i) + 1) / n - x[i]});
+        worst = (std::max)({worst, x[i] - static_cast<double>(i) / n, (static_cast<double>(i) + 1) / n - x[i]});
     return worst;
 }
 
@@ -80,7 +80,7 @@ template <class Points>
     }
     if (p.size() > 16384) return r;                                                        // too many pairs
     const double random = std::sqrt((1.0 / 4 - 1.0 / 9) / static_cast<double>(p.size()));  // root of the expected square
-    const double found = std::sqrt(std::max(0.0, detail::squared_l2_star_discrepancy(p)));
+    const double found = std::sqrt((std::max)(0.0, detail::squared_l2_star_discrepancy(p)));
     r.add({{"discrepancy is below random", found, 0, random / 2, "",
             "the L2 star discrepancy is no better than that of random points: the two coordinates are correlated, or badly seeded"},
            found <= random / 2});

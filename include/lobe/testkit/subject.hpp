@@ -166,7 +166,7 @@ private:
 /// A number of [0,1) in T: rounding may not turn it into 1.
 template <class T>
 T below_one(double u) {
-    return std::min(static_cast<T>(u), T(1) - std::numeric_limits<T>::epsilon() / 2);
+    return (std::min)(static_cast<T>(u), T(1) - std::numeric_limits<T>::epsilon() / 2);
 }
 
 template <class T>
@@ -195,7 +195,7 @@ double rounding_noise(const F& value, const place<T>& at, int steps = 32) {
                 const T moved = static_cast<T>(static_cast<double>((*w)[k]) + step);
                 (*w)[k] = k < 2 || (moved > T(0)) == ((*w)[k] > T(0)) ? moved : (*w)[k] / T(2);  // the horizon is not crossed
             }
-        noise = std::max(noise, std::abs(value(v, l) - exact));
+        noise = (std::max)(noise, std::abs(value(v, l) - exact));
     }
     return noise;
 }
@@ -238,7 +238,7 @@ struct watch {
         report& r, bool says_below = true,
         const char* why_below = "light from below the horizon is reflected: the sign of a cosine is lost (abs) or never looked at") const {
         const auto share = [&](long n) {
-            return " (" + number(100.0 * static_cast<double>(n) / static_cast<double>(std::max(calls, 1L)), "%.3g") + " % of the values)";
+            return " (" + number(100.0 * static_cast<double>(n) / static_cast<double>((std::max)(calls, 1L)), "%.3g") + " % of the values)";
         };
         r.add({{what + " is finite", not_finite ? nan_value : 0, 0, 0, not_finite ? nan_place.text() : "",
                 not_finite == calls ? "every value is NaN or infinite"
@@ -263,7 +263,7 @@ struct drawn {
 
 /// A stranger's functions, those that exist: the judge is compiled once for a scalar type and a number of channels, not once a BRDF.
 template <class T, std::size_t N>
-struct interface {
+struct brdf_functions {
     using values = std::array<double, N>;
     std::function<values(const vec3<T>& v, const vec3<T>& l)> f_cos;
     std::function<double(const vec3<T>& v, const vec3<T>& l)> pdf;
@@ -307,7 +307,7 @@ auto interface_of(const B& b) {
     using U = vec2<T>;
     using value = std::remove_cvref_t<decltype(call_f_cos(b, V{}, V{}))>;
     constexpr std::size_t N = spectrum<value>::size;
-    interface<T, N> out;
+    brdf_functions<T, N> out;
     out.f_cos = [&b](const V& v, const V& l) { return as_values<N>(call_f_cos(b, v, l)); };
     if constexpr (requires(const V w) {
                       { b.pdf(w, w) } -> std::convertible_to<double>;
@@ -348,7 +348,7 @@ public:
     using V = vec3<T>;
     using values = std::array<double, N>;
 
-    subject(interface<T, N> judged, bool below_is_zero) : b(std::move(judged)), zero_below(below_is_zero) {}
+    subject(brdf_functions<T, N> judged, bool below_is_zero) : b(std::move(judged)), zero_below(below_is_zero) {}
 
     bool has_pdf() const { return static_cast<bool>(b.pdf); }
     bool has_sample() const { return static_cast<bool>(b.sample); }
@@ -360,7 +360,7 @@ public:
         ++of_f.calls;
         for (std::size_t i = 0; i < N; ++i) {
             out[i] = of_f.see(out[i], last, vanish, [&](const V& a, const V& c) { return b.f_cos(a, c)[i]; });
-            largest = std::max(largest, std::abs(out[i]));
+            largest = (std::max)(largest, std::abs(out[i]));
         }
         return out;
     }
@@ -395,7 +395,7 @@ public:
         return s;
     }
 
-    interface<T, N> b;
+    brdf_functions<T, N> b;
     bool zero_below;
     watch<T> of_f{"f_cos"}, of_pdf{"pdf"}, of_sample{"sample"};
     place<T> last{}, length_place{}, light_place{};

@@ -14,7 +14,7 @@ class judge {
     using values = std::array<double, channels>;
 
 public:
-    judge(const interface<T, channels>& brdf, const options& o)
+    judge(const brdf_functions<T, channels>& brdf, const options& o)
         : options_(o), budget_(budget_of(o.effort)), b(brdf, o.zero_below), isotropic(o.isotropic.value_or(brdf.isotropic)) {}
 
     report verdict() {
@@ -44,7 +44,7 @@ private:
         w.push_back({tiny, T(0), T(1)});
         w.push_back({-tiny, tiny, T(1)});
         const std::size_t usual = w.size();
-        w.push_back({T(1), T(0), std::sqrt(std::numeric_limits<T>::min())});  // a light nearly on the horizon
+        w.push_back({T(1), T(0), std::sqrt((std::numeric_limits<T>::min)())});  // a light nearly on the horizon
         const auto look = [&](const V& v, const V& l) {
             b.f_cos(v, l);
             if (b.has_pdf()) b.pdf(v, l);
@@ -340,14 +340,14 @@ private:
         std::vector<std::array<double, 2>> some;
         if (!b.has_sample()) return some;
         generator random(seed);
-        const int n = budget_.strata, stride = std::max(1, n * n / 512);
+        const int n = budget_.strata, stride = (std::max)(1, n * n / 512);
         for (int i = 0; i < n * n; ++i) {
             const double x = (i % n + random()) / n, y = (i / n + random()) / n;
             const auto s = compare_sample(v, {below_one<T>(x), below_one<T>(y)});
             if (s.ok && i % stride == 0) some.push_back(chart.find(vec3<double>(s.l)));
         }
         for (const auto& p : some)
-            one_direction = std::max(one_direction, double(std::count(some.begin(), some.end(), p)) / static_cast<double>(n * n / stride));
+            one_direction = (std::max)(one_direction, double(std::count(some.begin(), some.end(), p)) / static_cast<double>(n * n / stride));
         return some;
     }
 
@@ -456,7 +456,7 @@ private:
 /// away from the surface. A scalar or rgb (or any spectrum that [] reads), in float or double. `sample(v, u)`, which returns l, weight and
 /// pdf, and `pdf(v, l)` are verified where they exist, each on its own.
 template <class B>
-[[nodiscard]] report verify(const B& brdf, const options& o = {}) {
+[[nodiscard]] report (verify)(const B& brdf, const options& o = {}) {
     using detail::has_any_f_cos, detail::returns_spectrum;
     constexpr bool callable = has_any_f_cos<B, vec3<double>> || has_any_f_cos<B, vec3<float>>;
     static_assert(callable, "no f_cos(v, l), nor a call (v, l), that is const and takes glm::vec3 or glm::dvec3");
