@@ -179,11 +179,11 @@ TEST_CASE("scalar types: as the type says, else as the value returned", "[testki
     const auto is = [](const auto& brdf, auto expected) {
         return std::is_same_v<decltype(detail::interface_of(brdf)), decltype(expected)>;
     };
-    CHECK(is(says{}, detail::interface<float, 1>{}));
-    CHECK(is(returns_float, detail::interface<float, 1>{}));
-    CHECK(is(returns_double, detail::interface<double, 3>{}));
-    CHECK(is(generic, detail::interface<double, 1>{}));
-    CHECK(is(own_spectrum, detail::interface<float, 3>{}));
+    CHECK(is(says{}, detail::brdf_functions<float, 1>{}));
+    CHECK(is(returns_float, detail::brdf_functions<float, 1>{}));
+    CHECK(is(returns_double, detail::brdf_functions<double, 3>{}));
+    CHECK(is(generic, detail::brdf_functions<double, 1>{}));
+    CHECK(is(own_spectrum, detail::brdf_functions<float, 3>{}));
 }
 
 TEST_CASE("adapters: functions apart, without the cosine, in world space", "[testkit]") {
