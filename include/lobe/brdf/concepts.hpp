@@ -28,6 +28,16 @@ struct direction_sample {
     T pdf;
 };
 
+namespace detail {
+
+/// What a part of a BRDF says of its creases, `for_each_crease(g)`: the cosines v.m in (0,1) at which it has a kink, each to g. Most have none.
+template <class Part, class G>
+constexpr void for_each_crease(const Part& part, const G& g) {
+    if constexpr (requires { part.for_each_crease(g); }) part.for_each_crease(g);
+}
+
+}  // namespace detail
+
 /// A BRDF: `f_cos(v, l)` is f(v,l) cos(theta_l), zero where v or l is below the horizon. `width()` is the scale of its
 /// narrowest structure in half-vector slopes along x and y, for quadrature.
 /// Parameters outside their domain end in an assert; where asserts are compiled out, results mean nothing: NaN, or some number.

@@ -49,6 +49,11 @@ public:
         return detail::rest(fresnel_(smaller(length(v + l) / T(2), T(1))));
     }
 
+    template <class G>
+    constexpr void for_each_crease(const G& g) const {
+        detail::for_each_crease(fresnel_, g);
+    }
+
 private:
     [[no_unique_address]] F fresnel_;
 };
@@ -166,6 +171,11 @@ public:
         return detail::albedo_estimate(base, v) * left(v, vec3<T>{T(0), T(0), T(1)});
     }
     constexpr vec2<T> width() const { return base.width(); }
+    template <class G>
+    constexpr void for_each_crease(const G& g) const {
+        detail::for_each_crease(base, g);
+        detail::for_each_crease(left, g);
+    }
 
     template <class G>
         requires requires(const Base& parts, const G& g) { parts.for_each_lobe(g); }

@@ -85,6 +85,12 @@ public:
 
     constexpr vec2<T> width() const { return ndf.width(); }
 
+    /// The critical angles of the Fresnel reflectance: where quadrature cuts.
+    template <class G>
+    constexpr void for_each_crease(const G& g) const {
+        detail::for_each_crease(fresnel_, g);
+    }
+
 private:
     /// The half vector as v + l.
     struct half {

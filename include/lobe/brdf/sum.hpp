@@ -80,6 +80,10 @@ public:
 
     [[gnu::always_inline]] constexpr S albedo_estimate(const vec3<T>& v) const { return detail::albedo_estimate(b, v) * w; }
     constexpr vec2<T> width() const { return b.width(); }
+    template <class G>
+    constexpr void for_each_crease(const G& g) const {
+        detail::for_each_crease(b, g);
+    }
 
     template <class G>
         requires requires(const B& parts, const G& g) { parts.for_each_lobe(g); }

@@ -17,13 +17,25 @@ constexpr void for_each_lobe(const B& b, const G& g) {
         g(b);
 }
 
+/// The cosines v.m at which a BRDF is creased, each once.
+template <brdf B>
+auto creases_of(const B& b) {
+    using W = wide_t<typename B::scalar>;
+    std::vector<W> creases;
+    for_each_crease(b, [&](const auto& c) { creases.push_back(W(c)); });
+    std::sort(creases.begin(), creases.end());
+    creases.erase(std::unique(creases.begin(), creases.end()), creases.end());
+    return creases;
+}
+
 template <brdf B>
 auto directional_albedo(const B& b, const vec3<typename B::scalar>& v, bool mirrored, const quadrature& options) {
     using T = typename B::scalar;
     using S = typename B::spectrum;
     estimate<S, T> total{S(T(0)), T(0), 0};
     for_each_lobe(b, [&](const auto& lobe) {
-        const auto part = hemisphere_integral([&](const vec3<T>& l) { return lobe.f_cos(v, l); }, v, lobe.width(), mirrored, options);
+        const auto f_cos = [&](const vec3<T>& l) { return lobe.f_cos(v, l); };
+        const auto part = hemisphere_integral(f_cos, v, lobe.width(), mirrored, options, creases_of(lobe));
         total = {total.value + part.value, total.error + part.error, total.evaluations + part.evaluations};
     });
     return total;

@@ -3,6 +3,8 @@
 
 #include <lobe/core/spectrum.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <concepts>
@@ -103,6 +105,46 @@ struct agreement {
     bool within(const T& tolerance) const { return steps > 1 && !(size > tolerance); }
 };
 
+/// Where each quarter of the circle is cut, as angles delta from the azimuth at which the horizon bends. See `hemisphere_integral_at`.
+template <class W>
+std::array<std::vector<W>, 4> azimuths_of(const std::vector<W>& creases, const vec3<W>& v, const vec2<W>& width, const vec2<W>& toward) {
+    using std::abs, std::atan2, std::sqrt;
+    std::array<std::vector<W>, 4> deltas;
+    for (auto& quarter : deltas) quarter.push_back(W(0));
+    const W s = sqrt(v.x * v.x + v.y * v.y);
+    const auto add = [&](const W& along, const W& across2) {  // of d, to the azimuth of v
+        if (!(across2 > W(0))) return;
+        for (const W& across : {sqrt(across2), -sqrt(across2)}) {
+            const W x = (along * v.x - across * v.y) / width.x, y = (along * v.y + across * v.x) / width.y;
+            const W cosine = x * toward.x + y * toward.y, sine = y * toward.x - x * toward.y;
+            deltas[(cosine < W(0) ? 1u : 0u) + (sine < W(0) ? 2u : 0u)].push_back(atan2(abs(cosine), abs(sine)));
+        }
+    };
+    if (s > W(0))
+        for (const W& c : creases) {
+            const W h = W(2) * c * c - W(1), out = h / s;  // v.l on the circle, and of an l on the horizon the part along v
+            add(-(s + out), W(1) - out * out);
+            const W q = (c - v.z) * (c + v.z);  // n outside of the circle: rays touch it
+            if (q > W(0)) add(-sqrt(q), s * s - q);
+        }
+    for (auto& quarter : deltas) {
+        quarter.push_back(pi<W>() / W(2));
+        std::sort(quarter.begin(), quarter.end());
+    }
+    return deltas;
+}
+
+/// The slopes along a ray at which v.m = c, up to the horizon.
+template <class W>
+void add_slopes(std::vector<W>& slopes, const W& c, const W& vz, const W& p, const W& d2, const W& r_max) {
+    using std::sqrt;
+    const W q = (vz - c) * (vz + c), discriminant = p * p + d2 * q;
+    if (!(discriminant > W(0))) return;
+    const W root = c * sqrt(discriminant), k = vz * p + (p < W(0) ? -root : root);
+    for (const W& r : {q / k, k / (p * p - c * c * d2)})
+        if (r > W(0) && r < r_max) slopes.push_back(r);
+}
+
 /// int g(l) dl over the hemisphere, at one order. l = reflect(v, m), dl = 4 (v.m) dm, and m runs over slopes
 /// r (wx cos phi, wy sin phi), with r = tan(chi) and t = tan(chi/2) the variable, out to where l meets the horizon. In the polar
 /// coordinates of slopes that is a circle, so the limit is exact:
@@ -111,8 +153,15 @@ struct agreement {
 /// towards it: cos = +-sin(delta), delta = (pi/2) x^3; and towards the horizon: t = t_max (1 - (1-y)^4),
 /// the fourth power instead of the second because it takes the error at order 32 from 3e-6 to 2e-8.
 /// `mirrored`: g is even in the azimuth around the plane of v and n, so two quarters do for four.
+///
+/// `creases`: cosines v.m = c at which g has a kink, or the root of a total reflection. Both variables are cut there, so that each piece is
+/// smooth: the slopes along a ray where
+///   v.m = c:  (p^2 - c^2 |d|^2) r^2 - 2 v.z p r + q = 0,  p = d.(v.x, v.y),  q = v.z^2 - c^2,
+/// with nodes that crowd like the root on both sides of a cut; the azimuths where a ray touches that circle, and those where it meets the
+/// horizon.
 template <class T, class G>
-auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, bool mirrored, int order) {
+auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, bool mirrored, int order,
+                            const std::vector<wide_t<T>>& creases = {}) {
     using W = wide_t<T>;
     using S = wide_t<decltype(g(v))>;
     using std::cos, std::sin, std::sqrt;
@@ -121,28 +170,44 @@ auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, 
     const W wx(width.x), wy(width.y), vx(v.x), vy(v.y), vz(v.z);
     const W bx = wx * vx / vz, by = wy * vy / vz, b_max = sqrt(bx * bx + by * by);
     const W toward_x = b_max > W(0) ? bx / b_max : W(1), toward_y = b_max > W(0) ? by / b_max : W(0);  // azimuth of v, stretched
+    const auto azimuths = azimuths_of(creases, vec3<W>{vx, vy, vz}, vec2<W>{wx, wy}, vec2<W>{toward_x, toward_y});
 
     S total(W(0));
+    std::vector<W> slopes;
     for (int quarter = 0; quarter < (mirrored ? 2 : 4); ++quarter) {
-        for (int i = 0; i < order; ++i) {
-            const W x = rule.x[static_cast<std::size_t>(i)];
-            const W delta = pi<W>() / W(2) * x * x * x;
-            const W cosine = quarter % 2 ? -sin(delta) : sin(delta), sine = quarter / 2 ? -cos(delta) : cos(delta);
-            const W dx = wx * (cosine * toward_x - sine * toward_y), dy = wy * (cosine * toward_y + sine * toward_x);
-            const W d2 = dx * dx + dy * dy, b = b_max * cosine, root = sqrt(b * b + d2);
-            const W r_max = b > W(0) ? W(1) / (b + root) : (root - b) / d2;
-            const W t_max = r_max / (W(1) + sqrt(W(1) + r_max * r_max));
-            const W d_phi = rule.w[static_cast<std::size_t>(i)] * W(1.5) * pi<W>() * x * x;
-            for (int j = 0; j < order; ++j) {
-                const W y = W(1) - rule.x[static_cast<std::size_t>(j)];
-                const W t = t_max * (W(1) - y * y * y * y);
-                const W r = W(2) * t / ((W(1) - t) * (W(1) + t));
-                const W d_chi = rule.w[static_cast<std::size_t>(j)] * W(8) * t_max * y * y * y / (W(1) + t * t);
-                const W mz2 = W(1) / (W(1) + d2 * r * r);  // m = (-r dx, -r dy, 1) sqrt(mz2)
-                const W a = vz - r * (dx * vx + dy * vy);  // v.m / m.z
-                const W dm = wx * wy * r * (W(1) + r * r) * mz2 * sqrt(mz2) * d_chi * d_phi;
-                const vec3<T> l(T(-W(2) * a * mz2 * r * dx - vx), T(-W(2) * a * mz2 * r * dy - vy), T(W(2) * a * mz2 - vz));
-                total = total + S(g(l)) * (W(4) * a * sqrt(mz2) * dm);
+        const auto& deltas = azimuths[static_cast<std::size_t>(quarter)];
+        for (std::size_t piece = 0; piece + 1 < deltas.size(); ++piece) {
+            for (int i = 0; i < order; ++i) {
+                const W x = rule.x[static_cast<std::size_t>(i)];
+                const W from = deltas[piece], range = deltas[piece + 1] - from;
+                const bool last = piece + 2 == deltas.size();
+                const W u = last ? x * x * x : x * x * x * (W(4) - W(3) * x), du = last ? W(3) * x * x : W(12) * x * x * (W(1) - x);
+                const W delta = from + range * u;
+                const W cosine = quarter % 2 ? -sin(delta) : sin(delta), sine = quarter / 2 ? -cos(delta) : cos(delta);
+                const W dx = wx * (cosine * toward_x - sine * toward_y), dy = wy * (cosine * toward_y + sine * toward_x);
+                const W d2 = dx * dx + dy * dy, b = b_max * cosine, root = sqrt(b * b + d2);
+                const W r_max = b > W(0) ? W(1) / (b + root) : (root - b) / d2;
+                const W d_phi = rule.w[static_cast<std::size_t>(i)] * range * du;
+                slopes.assign(1, W(0));
+                for (const W& c : creases) add_slopes(slopes, c, vz, vz * b, d2, r_max);
+                std::sort(slopes.begin(), slopes.end());
+                slopes.push_back(r_max);
+                W t_low(0);
+                for (std::size_t ring = 0; ring + 1 < slopes.size(); ++ring) {
+                    const W t_high = slopes[ring + 1] / (W(1) + sqrt(W(1) + slopes[ring + 1] * slopes[ring + 1])), width_t = t_high - t_low;
+                    for (int j = 0; j < order; ++j) {
+                        const W z = rule.x[static_cast<std::size_t>(j)], y = W(1) - z, y3 = y * y * y;
+                        const W t = t_high - width_t * (ring ? y * y3 * (W(5) - W(4) * y) : y * y3);
+                        const W r = W(2) * t / ((W(1) - t) * (W(1) + t));
+                        const W d_chi = rule.w[static_cast<std::size_t>(j)] * (ring ? W(40) * z : W(8)) * width_t * y3 / (W(1) + t * t);
+                        const W mz2 = W(1) / (W(1) + d2 * r * r);  // m = (-r dx, -r dy, 1) sqrt(mz2)
+                        const W a = vz - r * (dx * vx + dy * vy);  // v.m / m.z
+                        const W dm = wx * wy * r * (W(1) + r * r) * mz2 * sqrt(mz2) * d_chi * d_phi;
+                        const vec3<T> l(T(-W(2) * a * mz2 * r * dx - vx), T(-W(2) * a * mz2 * r * dy - vy), T(W(2) * a * mz2 - vz));
+                        total = total + S(g(l)) * (W(4) * a * sqrt(mz2) * dm);
+                    }
+                    t_low = t_high;
+                }
             }
         }
     }
@@ -153,22 +218,29 @@ auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, 
 
 /// int g(l) dl over the upper hemisphere, for a g that follows reflections from v by a surface whose slopes have the scale
 /// `width`: f_cos, a pdf, each times anything smooth. Unit v above the horizon. Scalar types only.
+/// `creases`: the cosines v.m in (0,1) at which g has a kink, m the half vector: critical angles. The nodes are cut there.
 template <scalar T, class G>
-auto hemisphere_integral(const G& g, const vec3<T>& v, const vec2<T>& width, bool mirrored, const quadrature& options = {}) {
+auto hemisphere_integral(const G& g, const vec3<T>& v, const vec2<T>& width, bool mirrored, const quadrature& options = {},
+                         const std::vector<detail::wide_t<T>>& creases = {}) {
     using S = decltype(g(v));
     using W = detail::wide_t<T>;
     assert(v.z > T(0) && width.x > T(0) && width.y > T(0) && "hemisphere_integral: v must be above the horizon, widths above 0");
     assert((options.order == 0 || options.order >= 2) && "hemisphere_integral: order must be at least 2, or 0");
-    const int per_square = mirrored ? 2 : 4;
+    int evaluations = 0;
+    const auto at_order = [&](int order) {
+        const auto counted = [&](const vec3<T>& l) {
+            ++evaluations;
+            return g(l);
+        };
+        return detail::hemisphere_integral_at(counted, v, width, mirrored, order, creases);
+    };
     int order = options.order ? options.order / 2 : 8;
-    auto value = detail::hemisphere_integral_at(g, v, width, mirrored, order);
-    int evaluations = per_square * order * order;
+    auto value = at_order(order);
     detail::agreement<W> error;
     do {
         const auto coarse = value;
         order = options.order ? options.order : 2 * order;
-        value = detail::hemisphere_integral_at(g, v, width, mirrored, order);
-        evaluations += per_square * order * order;
+        value = at_order(order);
         error.add(detail::difference(value, coarse));
     } while (!options.order && !error.within(W(options.tolerance)) && order < 256);
     return estimate<S, T>{S(value), T(error.size), evaluations};

@@ -1,0 +1,244 @@
+// Random BRDFs of every model of the library, and their albedo by an adaptive mesh, which shares nothing with lobe's quadrature.
+#pragma once
+
+#include "support.hpp"
+
+#include <lobe/lobe.hpp>
+#include <lobe/testkit/cubature.hpp>
+
+#include <array>
+#include <functional>
+
+/// Random parameters, each a float, so that a BRDF in float and one in double are the same surface.
+template <class T>
+struct drawn {
+    random_numbers random;
+    static T in_float(double x) { return static_cast<T>(static_cast<float>(x)); }
+    T between(double low, double high) { return in_float(random.between(low, high)); }
+    T log(double low, double high) { return in_float(random.log_between(low, high)); }
+    lobe::alpha<T> width() { return lobe::alpha<T>(log(1e-3, 1)); }
+    lobe::alpha_xy<T> widths() {
+        const T x = log(1e-3, 1);
+        return lobe::alpha_xy<T>(x, log(1e-3, 1));
+    }
+    lobe::vec3<T> color(double low = 0, double high = 1) {
+        const T r = between(low, high), g = between(low, high);
+        return {r, g, between(low, high)};
+    }
+    lobe::schlick<T> gloss() { return lobe::schlick<T>(between(0, 1)); }
+};
+
+/// One lobe of any BRDF, its type erased: one instantiation of a quadrature serves them all. Three wavelengths, equal ones for a
+/// scalar spectrum.
+template <class T>
+struct any_lobe {
+    std::function<lobe::vec3<T>(const lobe::vec3<T>&, const lobe::vec3<T>&)> f;
+    lobe::vec2<T> scale;
+    std::vector<T> creases;
+
+    using scalar = T;
+    using spectrum = lobe::vec3<T>;
+    static constexpr bool isotropic = true;  // half the circle, if the caller says so
+    lobe::vec3<T> f_cos(const lobe::vec3<T>& v, const lobe::vec3<T>& l) const { return f(v, l); }
+    lobe::vec2<T> width() const { return scale; }
+    template <class G>
+    void for_each_crease(const G& g) const {
+        for (const T& c : creases) g(c);
+    }
+};
+template <class T>
+struct any_brdf {
+    std::vector<any_lobe<T>> lobes;
+    bool isotropic = true;
+};
+template <class B, class T = typename B::scalar>
+any_brdf<T> erased(const B& brdf) {
+    any_brdf<T> all{{}, B::isotropic};
+    lobe::detail::for_each_lobe(brdf, [&](const auto& part) {
+        all.lobes.push_back({[part](const lobe::vec3<T>& v, const lobe::vec3<T>& l) { return lobe::vec3<T>(part.f_cos(v, l)); }, part.width(), {}});
+        lobe::detail::for_each_crease(part, [&](const T& c) { all.lobes.back().creases.push_back(c); });
+    });
+    return all;
+}
+
+/// visit(name, make) for every family: make(drawn) is one of its BRDFs.
+template <class T, class Visit>
+void every_family(const Visit& visitor) {
+    using namespace lobe;
+    const auto visit = [&](const char* name, const auto& make) {
+        visitor(name, std::function<any_brdf<T>(drawn<T>&)>([make](drawn<T>& r) { return erased(make(r)); }));
+    };
+    using R = drawn<T>&;
+    const smith_correlated hc;
+    const smith_separable sep;
+    const perfect_reflector<T> mirror;
+
+    visit("ggx", [=](R r) { return microfacet{ggx{r.width()}, hc, mirror}; });
+    visit("ggx, separable, schlick", [=](R r) { return microfacet{ggx{r.width()}, sep, r.gloss()}; });
+    visit("ggx, two widths", [=](R r) { return microfacet{ggx{r.widths()}, hc, r.gloss()}; });
+    visit("beckmann", [=](R r) { return microfacet{beckmann{r.width()}, hc, mirror}; });
+    visit("beckmann, two widths", [=](R r) { return microfacet{beckmann{r.widths()}, sep, mirror}; });
+    visit("beckmann_walter", [=](R r) { return microfacet{beckmann_walter{r.width()}, sep, r.gloss()}; });
+    visit("blinn_phong", [=](R r) { return microfacet{blinn_phong{r.width()}, hc, mirror}; });
+    visit("phong", [=](R r) { return microfacet{phong{alpha<T>(r.log(0.01, 0.7))}, hc, mirror}; });
+    visit("student_t", [=](R r) {
+        const auto a = r.width();
+        return microfacet{student_t{a, r.between(1.6, 10)}, hc, mirror};
+    });
+    visit("student_t, two widths", [=](R r) {
+        const auto a = r.widths();
+        return microfacet{student_t{a, r.between(1.6, 10)}, hc, mirror};
+    });
+    visit("hyper_cauchy", [=](R r) {
+        const auto a = r.width();
+        return microfacet{hyper_cauchy{a, r.between(1.6, 10)}, hc, mirror};
+    });
+    visit("gtr", [=](R r) {
+        const auto a = r.width();
+        return microfacet{gtr{a, r.between(1, 3)}, hc, mirror};
+    });
+    visit("exponential_power", [=](R r) {
+        const auto a = r.width();
+        return microfacet{exponential_power{a, r.between(0.3, 4)}, hc, mirror};
+    });
+    visit("exponential_power, two widths", [=](R r) {
+        const auto a = r.widths();
+        return microfacet{exponential_power{a, r.between(0.3, 4)}, hc, mirror};
+    });
+    visit("abc", [=](R r) {
+        const auto a = r.width();
+        return microfacet{abc{a, r.between(0.2, 3)}, hc, mirror};
+    });
+    visit("sgd", [=](R r) {
+        const auto a = r.width();
+        return microfacet{sgd{a, r.between(0.3, 2)}, hc, mirror};
+    });
+    visit("mixture", [=](R r) {
+        const auto a = r.width(), b = r.width();
+        return microfacet{mixture{ggx{a}, beckmann{b}, r.between(0, 1)}, hc, mirror};
+    });
+    visit("masked_by", [=](R r) {
+        const auto a = r.width();
+        return microfacet{masked_by{gtr{a, T(1)}, ggx{alpha<T>(T(0.25))}}, sep, mirror};
+    });
+    visit("ggx, v_cavity", [=](R r) { return microfacet{ggx{r.width()}, v_cavity{}, mirror}; });
+    visit("beckmann, two widths, v_cavity", [=](R r) { return microfacet{beckmann{r.widths()}, v_cavity{}, mirror}; });
+    visit("ggx, direction_correlated", [=](R r) { return microfacet{ggx{r.width()}, smith_direction_correlated{}, mirror}; });
+    visit("ggx, two widths, direction_correlated", [=](R r) { return microfacet{ggx{r.widths()}, smith_direction_correlated{}, mirror}; });
+    visit("ggx, hammon", [=](R r) { return microfacet{ggx{r.width()}, smith_hammon{}, r.gloss()}; });
+    visit("ggx, schlick_ggx", [=](R r) {
+        const auto a = r.width();
+        return microfacet{ggx{a}, schlick_ggx{schlick_k<T>(r.between(0.01, 0.7))}, r.gloss()};
+    });
+    visit("dielectric", [=](R r) {
+        const auto a = r.width();
+        return microfacet{ggx{a}, hc, dielectric{T(1) + r.log(1e-4, 3)}};
+    });
+    visit("dielectric from inside", [=](R r) {
+        const auto a = r.width();
+        return microfacet{ggx{a}, hc, dielectric{r.between(0.3, 0.999)}};
+    });
+    visit("dielectric from inside, two widths, separable", [=](R r) {
+        const auto a = r.widths();
+        return microfacet{ggx{a}, sep, dielectric{r.between(0.3, 0.999)}};
+    });
+    visit("beckmann, dispersion from inside", [=](R r) {
+        const auto a = r.width();
+        const T eta = r.between(0.3, 0.97);
+        return microfacet{beckmann{a}, hc, dielectric{vec3<T>{eta, eta * T(1.0078125f), eta * T(1.015625f)}}};
+    });
+    visit("conductor", [=](R r) {
+        const auto a = r.width();
+        const T eta = r.between(0.1, 3);
+        return microfacet{ggx{a}, hc, conductor{eta, r.between(0.5, 8)}};
+    });
+    visit("conductor, weak, from inside", [=](R r) {
+        const auto a = r.width();
+        const T eta = r.between(0.3, 0.999);
+        return microfacet{ggx{a}, hc, conductor{eta, r.log(1e-4, 0.5)}};
+    });
+    visit("f82_tint", [=](R r) {
+        const auto a = r.width();
+        const T F0 = r.between(0.2, 1);
+        return microfacet{ggx{a}, hc, f82_tint{F0, r.between(0, 1)}};
+    });
+    visit("schlick_gaussian", [=](R r) {
+        const auto a = r.width();
+        return microfacet{ggx{a}, hc, schlick_gaussian{r.between(0, 1)}};
+    });
+    visit("schlick of three wavelengths", [=](R r) {
+        const auto a = r.width();
+        return microfacet{ggx{a}, hc, schlick{r.color()}};
+    });
+    visit("lambert", [=](R r) { return lambert{r.between(0.1, 1)}; });
+    visit("oren_nayar", [=](R r) { return oren_nayar{T(1), r.between(0, 1.57)}; });
+    visit("fon", [=](R r) { return fon{T(1), r.between(0, 1)}; });
+    visit("eon", [=](R r) {
+        const T rho = r.between(0, 1);
+        return eon{rho, r.between(0, 1)};
+    });
+    visit("burley", [=](R r) { return burley{T(1), r.between(0, 1)}; });
+    visit("burley_frostbite", [=](R r) { return burley_frostbite{T(1), r.between(0, 1)}; });
+    visit("metallic_roughness", [=](R r) {
+        const auto base = r.color();
+        const T metallic = r.between(0, 1);
+        return metallic_roughness(base, metallic, r.width());
+    });
+    visit("metallic_roughness, two widths", [=](R r) {
+        const auto base = r.color();
+        const T metallic = r.between(0, 1);
+        return metallic_roughness(base, metallic, r.widths());
+    });
+    visit("coated", [=](R r) {
+        const auto base = metallic_roughness(r.color(), T(0), r.width());
+        const auto coat = ggx{r.width()};
+        return coated(base, coat, r.between(0, 1));
+    });
+    visit("glass in water over a base", [=](R r) {
+        const auto a = r.width();
+        const dielectric F{r.between(0.5, 0.99)};
+        return layered{microfacet{ggx{a}, hc, F}, lambert{T(1)}, fresnel_coupling{F}};
+    });
+    visit("two lobes", [=](R r) {
+        const auto a = r.width(), b = r.width();
+        return sum{weighted{T(0.25f), microfacet{ggx{a}, hc, mirror}}, weighted{T(0.75f), microfacet{beckmann{b}, sep, mirror}}};
+    });
+}
+
+/// A view whose cosine is as likely small as large; in the plane of symmetry, or of any azimuth.
+template <class T>
+T drawn_cosine(drawn<T>& r) {
+    return r.log(1e-3, 1);
+}
+
+struct mesh_albedo {
+    lobe::vec3<double> value{0.0}, error{0.0};
+};
+
+/// int f_cos dl by the testkit's adaptive mesh (Genz & Malik's rule, degree 7) in the azimuth and the slope of the half vector over `width`,
+/// r = tan(chi), chi = chi_max x^2 (3 - 2 x): other coordinates and another rule than `hemisphere_integral`'s.
+inline mesh_albedo albedo_by_mesh(const any_brdf<double>& brdf, const lobe::vec3<double>& v, double tolerance, long evaluations) {
+    using lobe::vec3;
+    mesh_albedo total;
+    for (const auto& part : brdf.lobes) {
+        const double wx = part.width().x, wy = part.width().y, start = brdf.isotropic ? std::atan2(v.y, v.x) : 0.3;
+        const double range = brdf.isotropic ? 3.141592653589793 : 6.283185307179586, copies = brdf.isotropic ? 2 : 1;
+        const auto density = [&](double x, double y) -> std::array<double, 3> {
+            const double phi = start + range * y, ex = wx * std::cos(phi), ey = wy * std::sin(phi);
+            const double b = ex * v.x + ey * v.y, e2 = ex * ex + ey * ey, root = std::sqrt(b * b + v.z * v.z * e2);
+            const double chi_max = std::atan2(v.z, b + root), chi = chi_max * x * x * (3 - 2 * x), cosine = std::cos(chi), sine = std::sin(chi);
+            const vec3<double> m{-sine * ex, -sine * ey, cosine};
+            const double m2 = lobe::dot(m, m), v_m = lobe::dot(v, m);
+            const double dm = sine * wx * wy / (m2 * std::sqrt(m2)) * chi_max * 6 * x * (1 - x) * range * copies;
+            const auto f = part.f_cos(v, 2 * (v_m / m2) * m - v) * (4 * v_m / std::sqrt(m2) * dm);
+            return {f.x, f.y, f.z};
+        };
+        lobe::testkit::mesh<3> mesh(density, 16, 16, 3);
+        mesh.refine(tolerance, 3, evaluations);
+        for (int k = 0; k < 3; ++k) {
+            total.value[k] += mesh.integral()[static_cast<std::size_t>(k)];
+            total.error[k] += mesh.error()[static_cast<std::size_t>(k)];
+        }
+    }
+    return total;
+}
