@@ -215,30 +215,65 @@ struct mesh_albedo {
     lobe::vec3<double> value{0.0}, error{0.0};
 };
 
-/// int f_cos dl by the testkit's adaptive mesh (Genz & Malik's rule, degree 7) in the azimuth and the slope of the half vector over `width`,
-/// r = tan(chi), chi = chi_max x^2 (3 - 2 x): other coordinates and another rule than `hemisphere_integral`'s.
+/// Adds int density(x, y) dx dy over the unit square, by the testkit's adaptive mesh: Genz & Malik's rule, degree 7.
+template <class Density>
+void add_by_mesh(mesh_albedo& total, const Density& density, int cells, double tolerance, long evaluations) {
+    lobe::testkit::mesh<3> mesh(
+        [&](double x, double y) -> std::array<double, 3> {
+            const lobe::vec3<double> d = density(x, y);
+            return {d.x, d.y, d.z};
+        },
+        cells, cells, 3);
+    mesh.refine(tolerance, 3, evaluations);
+    for (int k = 0; k < 3; ++k) {
+        total.value[k] += mesh.integral()[static_cast<std::size_t>(k)];
+        total.error[k] += mesh.error()[static_cast<std::size_t>(k)];
+    }
+}
+
+/// int f_cos dl by an adaptive mesh: other coordinates and another rule than `hemisphere_integral`'s.
+/// Without creases: the azimuth and the slope of the half vector over `width`, r = tan(chi), chi = chi_max x^2 (3 - 2 x).
+/// With them: c = v.m and the azimuth psi of m around v, so that a crease is a line of the mesh. c from 1 to where l leaves the hemisphere,
+/// cut at every crease and at v.z, where the peak is; psi up to where l meets the horizon, which is at v.n + l.n = 2 c (n.m).
 inline mesh_albedo albedo_by_mesh(const any_brdf<double>& brdf, const lobe::vec3<double>& v, double tolerance, long evaluations) {
     using lobe::vec3;
+    using std::sqrt;
     mesh_albedo total;
     for (const auto& part : brdf.lobes) {
         const double wx = part.width().x, wy = part.width().y, start = brdf.isotropic ? std::atan2(v.y, v.x) : 0.3;
         const double range = brdf.isotropic ? 3.141592653589793 : 6.283185307179586, copies = brdf.isotropic ? 2 : 1;
-        const auto density = [&](double x, double y) -> std::array<double, 3> {
-            const double phi = start + range * y, ex = wx * std::cos(phi), ey = wy * std::sin(phi);
-            const double b = ex * v.x + ey * v.y, e2 = ex * ex + ey * ey, root = std::sqrt(b * b + v.z * v.z * e2);
-            const double chi_max = std::atan2(v.z, b + root), chi = chi_max * x * x * (3 - 2 * x), cosine = std::cos(chi), sine = std::sin(chi);
-            const vec3<double> m{-sine * ex, -sine * ey, cosine};
-            const double m2 = lobe::dot(m, m), v_m = lobe::dot(v, m);
-            const double dm = sine * wx * wy / (m2 * std::sqrt(m2)) * chi_max * 6 * x * (1 - x) * range * copies;
-            const auto f = part.f_cos(v, 2 * (v_m / m2) * m - v) * (4 * v_m / std::sqrt(m2) * dm);
-            return {f.x, f.y, f.z};
-        };
-        lobe::testkit::mesh<3> mesh(density, 16, 16, 3);
-        mesh.refine(tolerance, 3, evaluations);
-        for (int k = 0; k < 3; ++k) {
-            total.value[k] += mesh.integral()[static_cast<std::size_t>(k)];
-            total.error[k] += mesh.error()[static_cast<std::size_t>(k)];
+        const double sine_v = sqrt(v.x * v.x + v.y * v.y);
+        if (part.creases.empty() || sine_v < 1e-6) {
+            const auto density = [&](double x, double y) {
+                const double phi = start + range * y, ex = wx * std::cos(phi), ey = wy * std::sin(phi);
+                const double b = ex * v.x + ey * v.y, e2 = ex * ex + ey * ey, root = sqrt(b * b + v.z * v.z * e2);
+                const double chi_max = std::atan2(v.z, b + root), chi = chi_max * x * x * (3 - 2 * x), cosine = std::cos(chi), sine = std::sin(chi);
+                const vec3<double> m{-sine * ex, -sine * ey, cosine};
+                const double m2 = lobe::dot(m, m), v_m = lobe::dot(v, m);
+                const double dm = sine * wx * wy / (m2 * sqrt(m2)) * chi_max * 6 * x * (1 - x) * range * copies;
+                return part.f_cos(v, 2 * (v_m / m2) * m - v) * (4 * v_m / sqrt(m2) * dm);
+            };
+            add_by_mesh(total, density, 32, tolerance, evaluations);
+            continue;
         }
+        const vec3<double> up{-v.x * v.z / sine_v, -v.y * v.z / sine_v, sine_v}, side{-v.y / sine_v, v.x / sine_v, 0};  // with v, axes
+        std::vector<double> cuts{sqrt((1 - sine_v) / 2), sqrt((1 + sine_v) / 2), v.z, 1};
+        for (const double c : part.creases)
+            if (c > cuts[0]) cuts.push_back(c);
+        std::sort(cuts.begin(), cuts.end());
+        for (std::size_t k = 0; k + 1 < cuts.size(); ++k)
+            for (const double sign : {1.0, -1.0}) {
+                if (sign < 0 && brdf.isotropic) continue;
+                const auto density = [&](double x, double y) {
+                    const double c = cuts[k] + (cuts[k + 1] - cuts[k]) * x * x * (3 - 2 * x), s = sqrt((1 - c) * (1 + c));
+                    const double limit = (v.z / (2 * c) - v.z * c) / (sine_v * s);  // of cos(psi)
+                    const double psi_max = limit < -1 ? 3.141592653589793 : limit < 1 ? std::acos(limit) : 0, psi = psi_max * y * y * (3 - 2 * y);
+                    const vec3<double> m = c * v + s * (std::cos(psi) * up + sign * std::sin(psi) * side);
+                    const double area = (cuts[k + 1] - cuts[k]) * 6 * x * (1 - x) * psi_max * 6 * y * (1 - y);
+                    return part.f_cos(v, 2 * c * m - v) * (4 * c * area * copies);
+                };
+                add_by_mesh(total, density, 16, tolerance, evaluations / 4);
+            }
     }
     return total;
 }
