@@ -16,6 +16,7 @@ struct drawn {
     static T in_float(double x) { return static_cast<T>(static_cast<float>(x)); }
     T between(double low, double high) { return in_float(random.between(low, high)); }
     T log(double low, double high) { return in_float(random.log_between(low, high)); }
+    T above_1(double low, double high) { return in_float(1 + random.log_between(low, high)); }
     lobe::alpha<T> width() { return lobe::alpha<T>(log(1e-3, 1)); }
     lobe::alpha_xy<T> widths() {
         const T x = log(1e-3, 1);
@@ -132,7 +133,7 @@ void every_family(const Visit& visitor) {
     });
     visit("dielectric", [=](R r) {
         const auto a = r.width();
-        return microfacet{ggx{a}, hc, dielectric{T(1) + r.log(1e-4, 3)}};
+        return microfacet{ggx{a}, hc, dielectric{r.above_1(1e-4, 3)}};
     });
     visit("dielectric from inside", [=](R r) {
         const auto a = r.width();
@@ -145,7 +146,8 @@ void every_family(const Visit& visitor) {
     visit("beckmann, dispersion from inside", [=](R r) {
         const auto a = r.width();
         const T eta = r.between(0.3, 0.97);
-        return microfacet{beckmann{a}, hc, dielectric{vec3<T>{eta, eta * T(1.0078125f), eta * T(1.015625f)}}};
+        const auto shorter = drawn<T>::in_float(static_cast<double>(eta) * 1.01), shortest = drawn<T>::in_float(static_cast<double>(eta) * 1.02);
+        return microfacet{beckmann{a}, hc, dielectric{vec3<T>{eta, shorter, shortest}}};
     });
     visit("conductor", [=](R r) {
         const auto a = r.width();
