@@ -62,18 +62,20 @@ any_brdf<T> erased(const B& brdf) {
     return all;
 }
 
-/// visit(name, make) for every family: make(drawn) is one of its BRDFs.
+/// visit(kind, name, make) for every model: make(drawn) is one of its BRDFs.
 template <class T, class Visit>
 void every_family(const Visit& visitor) {
     using namespace lobe;
+    const char* kind = nullptr;
     const auto visit = [&](const char* name, const auto& make) {
-        visitor(name, std::function<any_brdf<T>(drawn<T>&)>([make](drawn<T>& r) { return erased(make(r)); }));
+        visitor(kind, name, std::function<any_brdf<T>(drawn<T>&)>([make](drawn<T>& r) { return erased(make(r)); }));
     };
     using R = drawn<T>&;
     const smith_correlated hc;
     const smith_separable sep;
     const perfect_reflector<T> mirror;
 
+    kind = "distributions";
     visit("ggx", [=](R r) { return microfacet{ggx{r.width()}, hc, mirror}; });
     visit("ggx, separable, schlick", [=](R r) { return microfacet{ggx{r.width()}, sep, r.gloss()}; });
     visit("ggx, two widths", [=](R r) { return microfacet{ggx{r.widths()}, hc, r.gloss()}; });
@@ -122,6 +124,7 @@ void every_family(const Visit& visitor) {
         const auto a = r.width();
         return microfacet{masked_by{gtr{a, T(1)}, ggx{alpha<T>(T(0.25))}}, sep, mirror};
     });
+    kind = "masking";
     visit("ggx, v_cavity", [=](R r) { return microfacet{ggx{r.width()}, v_cavity{}, mirror}; });
     visit("beckmann, two widths, v_cavity", [=](R r) { return microfacet{beckmann{r.widths()}, v_cavity{}, mirror}; });
     visit("ggx, direction_correlated", [=](R r) { return microfacet{ggx{r.width()}, smith_direction_correlated{}, mirror}; });
@@ -131,6 +134,7 @@ void every_family(const Visit& visitor) {
         const auto a = r.width();
         return microfacet{ggx{a}, schlick_ggx{schlick_k<T>(r.between(0.01, 0.7))}, r.gloss()};
     });
+    kind = "fresnel";
     visit("dielectric", [=](R r) {
         const auto a = r.width();
         return microfacet{ggx{a}, hc, dielectric{r.above_1(1e-4, 3)}};
@@ -172,6 +176,7 @@ void every_family(const Visit& visitor) {
         const auto a = r.width();
         return microfacet{ggx{a}, hc, schlick{r.color()}};
     });
+    kind = "diffuse";
     visit("lambert", [=](R r) { return lambert{r.between(0.1, 1)}; });
     visit("oren_nayar", [=](R r) { return oren_nayar{T(1), r.between(0, 1.57)}; });
     visit("fon", [=](R r) { return fon{T(1), r.between(0, 1)}; });
@@ -181,6 +186,7 @@ void every_family(const Visit& visitor) {
     });
     visit("burley", [=](R r) { return burley{T(1), r.between(0, 1)}; });
     visit("burley_frostbite", [=](R r) { return burley_frostbite{T(1), r.between(0, 1)}; });
+    kind = "compositions";
     visit("metallic_roughness", [=](R r) {
         const auto base = r.color();
         const T metallic = r.between(0, 1);
@@ -200,6 +206,11 @@ void every_family(const Visit& visitor) {
         const auto a = r.width();
         const dielectric F{r.between(0.5, 0.99)};
         return layered{microfacet{ggx{a}, hc, F}, lambert{T(1)}, fresnel_coupling{F}};
+    });
+    visit("reciprocal coupling by table", [table = bake_dfg<T>(hc, {.size = 16, .order = 16})](R r) {
+        const auto a = r.width();
+        const auto E = [=](const T& mu) { return table(mu, a).albedo(); };
+        return layered{microfacet{ggx{a}, smith_correlated{}, perfect_reflector<T>{}}, lambert{T(1)}, reciprocal_coupling{E, r.between(0, 0.9)}};
     });
     visit("two lobes", [=](R r) {
         const auto a = r.width(), b = r.width();
