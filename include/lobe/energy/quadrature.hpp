@@ -200,6 +200,16 @@ auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, 
     const W toward_x = b_max > W(0) ? bx / b_max : W(1), toward_y = b_max > W(0) ? by / b_max : W(0);  // azimuth of v, stretched
     const auto azimuths = azimuths_of(creases, vec3<W>{vx, vy, vz}, vec2<W>{wx, wy}, vec2<W>{toward_x, toward_y});
 
+    struct ring_node {
+        W back, weight;  // what is left of the ring beyond the node, of 1
+    };
+    std::vector<ring_node> first, later;
+    for (std::size_t j = 0; j < rule.x.size(); ++j) {
+        const W x = rule.x[j], y = W(1) - x, y3 = y * y * y, weight = W(8) * rule.w[j] * y3;
+        first.push_back({y * y3, weight});
+        later.push_back({y * y3 * (W(5) - W(4) * y), weight * W(5) * x});
+    }
+
     S total(W(0));
     std::vector<W> slopes;
     for (int quarter = 0; quarter < (mirrored ? 2 : 4); ++quarter) {
@@ -220,12 +230,9 @@ auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, 
                 W from(0);
                 for (const W& slope : slopes) {
                     const W to = slope / (W(1) + sqrt(W(1) + slope * slope));
-                    const bool cut = from > W(0);
-                    for (int j = 0; j < order; ++j) {
-                        const W x = rule.x[static_cast<std::size_t>(j)], y = W(1) - x;
-                        const W t = to - (to - from) * (y * y * y * y * (cut ? W(5) - W(4) * y : W(1)));
-                        const W r = W(2) * t / ((W(1) - t) * (W(1) + t));
-                        const W d_chi = rule.w[static_cast<std::size_t>(j)] * W(8) * (to - from) * y * y * y * (cut ? W(5) * x : W(1)) / (W(1) + t * t);
+                    for (const ring_node& at : from > W(0) ? later : first) {
+                        const W t = to - (to - from) * at.back, r = W(2) * t / ((W(1) - t) * (W(1) + t));
+                        const W d_chi = at.weight * (to - from) / (W(1) + t * t);
                         const W mz2 = W(1) / (W(1) + d2 * r * r);  // m = (-r dx, -r dy, 1) sqrt(mz2)
                         const W a = vz - r * (dx * vx + dy * vy);  // v.m / m.z
                         const W dm = wx * wy * r * (W(1) + r * r) * mz2 * sqrt(mz2) * d_chi * d_phi;
