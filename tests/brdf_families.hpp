@@ -56,7 +56,8 @@ template <class B, class T = typename B::scalar>
 any_brdf<T> erased(const B& brdf) {
     any_brdf<T> all{{}, B::isotropic};
     lobe::detail::for_each_lobe(brdf, [&](const auto& part) {
-        all.lobes.push_back({[part](const lobe::vec3<T>& v, const lobe::vec3<T>& l) { return lobe::vec3<T>(part.f_cos(v, l)); }, part.width(), {}});
+        const auto f_cos = [part](const lobe::vec3<T>& v, const lobe::vec3<T>& l) { return lobe::vec3<T>(part.f_cos(v, l)); };
+        all.lobes.push_back({f_cos, part.width(), {}});
         lobe::detail::for_each_crease(part, [&](const T& c) { all.lobes.back().creases.push_back(c); });
     });
     return all;
@@ -150,8 +151,8 @@ void every_family(const Visit& visitor) {
     visit("beckmann, dispersion from inside", [=](R r) {
         const auto a = r.width();
         const T eta = r.between(0.3, 0.97);
-        const auto shorter = drawn<T>::in_float(static_cast<double>(eta) * 1.01), shortest = drawn<T>::in_float(static_cast<double>(eta) * 1.02);
-        return microfacet{beckmann{a}, hc, dielectric{vec3<T>{eta, shorter, shortest}}};
+        const auto times = [&](double x) { return drawn<T>::in_float(static_cast<double>(eta) * x); };
+        return microfacet{beckmann{a}, hc, dielectric{vec3<T>{eta, times(1.01), times(1.02)}}};
     });
     visit("conductor", [=](R r) {
         const auto a = r.width();
@@ -210,7 +211,8 @@ void every_family(const Visit& visitor) {
     visit("reciprocal coupling by table", [table = bake_dfg<T>(hc, {.size = 16, .order = 16})](R r) {
         const auto a = r.width();
         const auto E = [=](const T& mu) { return table(mu, a).albedo(); };
-        return layered{microfacet{ggx{a}, smith_correlated{}, perfect_reflector<T>{}}, lambert{T(1)}, reciprocal_coupling{E, r.between(0, 0.9)}};
+        return layered{microfacet{ggx{a}, smith_correlated{}, perfect_reflector<T>{}}, lambert{T(1)},
+                       reciprocal_coupling{E, r.between(0, 0.9)}};
     });
     visit("two lobes", [=](R r) {
         const auto a = r.width(), b = r.width();
@@ -260,7 +262,8 @@ inline mesh_albedo albedo_by_mesh(const any_brdf<double>& brdf, const lobe::vec3
             const auto density = [&](double x, double y) {
                 const double phi = start + range * y, ex = wx * std::cos(phi), ey = wy * std::sin(phi);
                 const double b = ex * v.x + ey * v.y, e2 = ex * ex + ey * ey, root = sqrt(b * b + v.z * v.z * e2);
-                const double chi_max = std::atan2(v.z, b + root), chi = chi_max * x * x * (3 - 2 * x), cosine = std::cos(chi), sine = std::sin(chi);
+                const double chi_max = std::atan2(v.z, b + root), chi = chi_max * x * x * (3 - 2 * x);
+                const double cosine = std::cos(chi), sine = std::sin(chi);
                 const vec3<double> m{-sine * ex, -sine * ey, cosine};
                 const double m2 = lobe::dot(m, m), v_m = lobe::dot(v, m);
                 const double dm = sine * wx * wy / (m2 * sqrt(m2)) * chi_max * 6 * x * (1 - x) * range * copies;
@@ -280,7 +283,8 @@ inline mesh_albedo albedo_by_mesh(const any_brdf<double>& brdf, const lobe::vec3
                 const auto density = [&](double x, double y) {
                     const double c = cuts[k] + (cuts[k + 1] - cuts[k]) * x * x * (3 - 2 * x), s = sqrt((1 - c) * (1 + c));
                     const double limit = (v.z / (2 * c) - v.z * c) / (sine_v * s);  // of cos(psi)
-                    const double psi_max = limit < -1 ? 3.141592653589793 : limit < 1 ? std::acos(limit) : 0, psi = psi_max * y * y * (3 - 2 * y);
+                    const double psi_max = limit < -1 ? 3.141592653589793 : limit < 1 ? std::acos(limit) : 0;
+                    const double psi = psi_max * y * y * (3 - 2 * y);
                     const vec3<double> m = c * v + s * (std::cos(psi) * up + sign * std::sin(psi) * side);
                     const double area = (cuts[k + 1] - cuts[k]) * 6 * x * (1 - x) * psi_max * 6 * y * (1 - y);
                     return part.f_cos(v, 2 * c * m - v) * (4 * c * area * copies);

@@ -48,7 +48,7 @@ TEST_CASE("albedo and split-sum terms agree with the tables on the whole grid", 
     }
 }
 
-TEST_CASE("the quadrature doubles its order until two agree, and says so", "[energy]") {
+TEST_CASE("the quadrature raises its order until the error is small enough, and says so", "[energy]") {
     for (const auto& row : reference_table("albedo_ggx_F1.csv")) {
         const microfacet hc{ggx{alpha{row[1]}}, smith_correlated{}, perfect_reflector{}};
         const auto E = lobe::directional_albedo(hc, row[0], {.tolerance = 1e-6});

@@ -30,7 +30,8 @@ struct direction_sample {
 
 namespace detail {
 
-/// What a part of a BRDF says of its creases, `for_each_crease(g)`: the cosines v.m in (0,1) at which it has a kink, each to g. Most have none.
+/// What a part of a BRDF says of its creases, `for_each_crease(g)`: the cosines v.m in (0,1) at which it has a kink, each to g. Most have
+/// none, and no such member.
 template <class Part, class G>
 constexpr void for_each_crease(const Part& part, const G& g) {
     if constexpr (requires { part.for_each_crease(g); }) part.for_each_crease(g);
