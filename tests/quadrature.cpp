@@ -115,7 +115,8 @@ TEST_CASE("quadrature: the average albedo of glass from inside, cut at the criti
                     const double range = edges[k + 1] - edges[k], mu = edges[k] + range * rule.x[i];
                     const vec3<double> v{std::sqrt((1 - mu) * (1 + mu)), 0, mu};
                     const auto f_cos = [&](const vec3<double>& l) { return glass.f_cos(v, l); };
-                    right += 2 * mu * range * rule.w[i] * lobe::detail::hemisphere_integral_at(f_cos, v, glass.width(), true, 32, {c});
+                    right += 2 * mu * range * rule.w[i] *
+                             lobe::detail::hemisphere_integral_at(f_cos, v, glass.width(), true, 32, {c});
                 }
             for (const int order : {0, 16}) {
                 const auto E = lobe::average_albedo(glass, {.order = order});
