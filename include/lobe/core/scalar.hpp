@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <type_traits>
 
 namespace lobe {
@@ -64,6 +65,19 @@ template <class T>
 struct lane<T> {
     using type = typename T::value_type;
 };
+
+}  // namespace detail
+
+namespace detail {
+
+/// The smallest positive number in a lane of T that has all its digits; its reciprocal is finite.
+template <scalar T>
+constexpr T smallest() {
+    if constexpr (std::numeric_limits<typename lane<T>::type>::is_specialized)
+        return T((std::numeric_limits<typename lane<T>::type>::min)());
+    else
+        return T(1e-300);
+}
 
 }  // namespace detail
 

@@ -47,11 +47,11 @@ struct spectrum<S> {
     static constexpr std::size_t size = 1;
     static double get(const S& s, std::size_t) { return static_cast<double>(s); }
 };
-template <int N, class T, glm::qualifier Q>
+template <glm::length_t N, class T, glm::qualifier Q>
 struct spectrum<glm::vec<N, T, Q>> {
     using scalar = T;
     static constexpr std::size_t size = static_cast<std::size_t>(N);
-    static double get(const glm::vec<N, T, Q>& s, std::size_t i) { return static_cast<double>(s[static_cast<int>(i)]); }
+    static double get(const glm::vec<N, T, Q>& s, std::size_t i) { return static_cast<double>(s[static_cast<glm::length_t>(i)]); }
 };
 template <has_size S>
 struct spectrum<S> {
