@@ -41,21 +41,25 @@ bool is_colour_space(const chromaticities& space) {
     return smallest(inverse(directions_of(space)) * direction(space[3])) >= least && smallest(bradford * white_of(space)) >= least;
 }
 
-bool same_as_floats(const chromaticities& a, const chromaticities& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), [](const dvec2& p, const dvec2& q) {
-        return static_cast<float>(p.x) == static_cast<float>(q.x) && static_cast<float>(p.y) == static_cast<float>(q.y);
-    });
+/// Rec. 709 in other numbers: Photoshop writes its primaries adapted to the D50 of ICC profiles, and rounded. What these differ
+/// by is less than a half rounds, and to convert by it would push pure colours out of Rec. 709.
+bool is_nearly_one(const dmat3& m) {
+    constexpr double rounding = 0x1p-12;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
+            if (std::abs(m[column][row] - (row == column)) > rounding) return false;
+    return true;
 }
 
 }  // namespace
 
 dmat3 to_rec709(const chromaticities& space, const char* name) {
-    if (same_as_floats(space, rec709)) return dmat3{1};
     if (!is_colour_space(space))
         throw std::runtime_error(std::string(name) + " are of no colour space: three corners of a triangle and a white inside are needed");
     const dvec3 adapted = (bradford * white_of(rec709)) / (bradford * white_of(space));
     const dmat3 adapt = inverse(bradford) * dmat3{adapted.x, 0, 0, 0, adapted.y, 0, 0, 0, adapted.z} * bradford;
-    return xyz_to_rec709() * adapt * to_xyz(space);
+    const dmat3 conversion = xyz_to_rec709() * adapt * to_xyz(space);
+    return is_nearly_one(conversion) ? dmat3{1} : conversion;
 }
 
 dmat3 xyz_to_rec709() { return inverse(to_xyz(rec709)); }
