@@ -88,10 +88,10 @@ picture choose(const Imf::MultiPartInputFile& file, std::vector<std::string>& no
 }
 
 void check_sampling(const picture& p, const Imf::ChannelList& channels) {
-    for (const char* name : {"R", "G", "B", "Y"}) {
+    for (const std::string name : {"R", "G", "B", "Y"}) {
+        if ((name == "Y") == p.is_rgb()) continue;
         const Imf::Channel* c = channels.findChannel(p.full(name));
-        if (c && p.channels.contains(name) && (c->xSampling != 1 || c->ySampling != 1))
-            throw problem("has the channel " + p.full(name) + " subsampled, which is not read");
+        if (c->xSampling != 1 || c->ySampling != 1) throw problem("has the channel " + p.full(name) + " subsampled, which is not read");
     }
 }
 

@@ -74,9 +74,9 @@ void multiply(header& head, const std::string& name, const std::array<double, 3>
 header read_header(source& in) {
     header head;
     for (std::string line = in.line(); !line.empty(); line = in.line()) {
-        const std::size_t equals = line.find('=');
+        const std::size_t equals = line.find('=', 1);
         if (equals == std::string::npos) continue;
-        const std::string name = line.substr(0, line.find_last_not_of(" \t", equals - (equals > 0)) + 1);
+        const std::string name = line.substr(0, line.find_last_not_of(" \t", equals - 1) + 1);
         const std::string value = line.substr(equals + 1);
         if (name == "FORMAT") {
             std::string format;
