@@ -53,8 +53,8 @@ struct backscatter_sampling {
         const T sine2 = v.x * v.x + v.y * v.y, sine = sqrt(sine2), depth = quotient(sine2, T(1) + v.z);  // depth = 1 - cos(theta_v)
         const T extra = extra_mass(peak, sine, depth), p = extra / (T(1) + extra);
         const auto second = u.x < p;
-        const T stretch = T(1) / select(second, p, T(1) - p);
-        const T x = (u.x - select(second, T(0), p)) * stretch, rest = (select(second, p, T(1)) - u.x) * stretch;  // rest = 1 - x > 0
+        const T first = select(second, T(0), p), last = select(second, p, T(1));
+        const T x = (u.x - first) / (last - first), rest = (last - u.x) / (last - first);  // rest = 1 - x > 0
         const vec3<T> l = select(second, peaked(v.z, depth, {x, u.y}, rest), tilted(tilt * sine, {x, u.y}, rest));
         const auto leaning = sine2 > T((std::numeric_limits<lane_t<T>>::min)());  // below it squares have lost their digits
         const T c = select(leaning, quotient(v.x, sine), T(1)), s = select(leaning, quotient(v.y, sine), T(0));
