@@ -27,7 +27,9 @@ public:
     constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const { return model().pi_f(v, l, above(v, l), l.z * inv_pi<T>()); }
     // (Inlined by force: compilers would call what they meet twice, and a loop with a call does not vectorise.)
     [[gnu::always_inline]] constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const { return pdf(v, l, Sampler{}.share(model(), v, l)); }
-    [[gnu::always_inline]] constexpr evaluation<S, T> evaluate(const vec3<T>& v, const vec3<T>& l) const { return {f_cos(v, l), pdf(v, l)}; }
+    [[gnu::always_inline]] constexpr evaluation<S, T> evaluate(const vec3<T>& v, const vec3<T>& l) const {
+        return {f_cos(v, l), pdf(v, l)};
+    }
 
     /// u in [0,1)^2. Fails only where v is below the horizon.
     [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const {
@@ -44,7 +46,9 @@ public:
 
 private:
     static constexpr auto above(const vec3<T>& v, const vec3<T>& l) { return v.z > T(0) && l.z > T(0); }
-    static constexpr T pdf(const vec3<T>& v, const vec3<T>& l, const T& share) { return select(above(v, l), l.z * inv_pi<T>() * share, T(0)); }
+    static constexpr T pdf(const vec3<T>& v, const vec3<T>& l, const T& share) {
+        return select(above(v, l), l.z * inv_pi<T>() * share, T(0));
+    }
     constexpr const Model& model() const { return static_cast<const Model&>(*this); }
 
     friend Model;

@@ -11,7 +11,8 @@ namespace lobe {
 /// - `sample(model, v, u)`: a unit direction l;
 /// - `share(model, v, l)`: how dense they are, in terms of the cosine's density: pdf = share cos(theta_l)/pi, weight = pi f/share.
 template <class Sampler, class Model>
-concept diffuse_sampler = requires(const Sampler sampler, const Model model, const vec3<typename Model::scalar> w, const vec2<typename Model::scalar> u) {
+concept diffuse_sampler = requires(const Sampler sampler, const Model model, const vec3<typename Model::scalar> w,
+                                   const vec2<typename Model::scalar> u) {
     { sampler.sample(model, w, u) } -> std::same_as<vec3<typename Model::scalar>>;
     { sampler.share(model, w, w) } -> std::same_as<typename Model::scalar>;
 };
@@ -39,12 +40,15 @@ struct backscatter {
 ///   pdf = cos(theta_l)/(pi N) (1 + tilt s + peak max(0, s)/sin(theta_l) (1/t - 1)).
 /// Exact, as a mixture of two lobes. The first, cos(theta_l) (1 + tilt s): points of the disk, uniform at first, move along the azimuth
 /// of v by the inverse of the linear density that each chord is to have. The second: the azimuth in proportion to the cosine of its
-/// difference from that of v, cos(theta_l) in a triangle on [0,1] with its peak at cos(theta_v). As FON is, but for 1/sin(theta_l),
+/// difference from that of v, cos(theta_l) in a triangle on [0,1] with its peak at cos(theta_v). Derived here: FON's own lobe is
 ///   pi f cos(theta_l) = rho A_F (cos(theta_l) (1 + r s) + r max(0, s) cos(theta_l) (1/t - 1)),
-/// its weight is nearly constant with tilt and peak near r. (Derived here. Portsmouth, Kutz, Hill 2025, section 4, fit a linearly transformed
-/// cosine and the uniform hemisphere: standard deviation 0.19 of the mean at r = 1, grazing; this: 0.05.)
-/// Domain: v unit, above the horizon, u in [0,1)^2; no sample fails. u.x chooses the lobe and is stretched over [0,1) again. At v = n, and
-/// where tilt and peak are 0, it is the cosine. No term cancels next to the horizon: 1 - cos, 1 - u and their like are carried along.
+/// so that with tilt and peak near r the weight is nearly constant. Its standard deviation is 0.05 of the mean at r = 1, grazing, and 0.08
+/// at most, EON of albedo 1; by the cosine 1.45, 0.85, 0.48 at cos(theta_v) 0.001, 0.1, 0.5; by the clipped linearly transformed cosine and
+/// uniform hemisphere of Portsmouth, Kutz, Hill 2025, section 4: 0.19.
+/// Domain: v unit, above the horizon, cosines of 1e-38 and more in float; u in [0,1)^2: no sample fails. u.x chooses the lobe and is
+/// stretched over [0,1) again. At v = n, and where tilt and peak are 0, it is the cosine. Rounding: 8 ULP of pdf's largest term,
+/// 4 ULP of rho for the weight; l in float 1e-6 radian. No term cancels next to the horizon: 1 - cos, 1 - u and their like are carried along.
+/// Cost: `sample` 3.5 times that of `cosine_sampling`, `evaluate` 1.3 times, in a vectorised loop 2 to 3.
 struct backscatter_sampling {
     template <class Model, scalar T>
     [[gnu::always_inline]] constexpr vec3<T> sample(const Model& model, const vec3<T>& v, const vec2<T>& u) const {
