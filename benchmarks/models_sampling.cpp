@@ -1,6 +1,7 @@
 // Samplers, and the compositions that are sampled by them.
 #include "models.hpp"
 
+#include <lobe/brdf/eon.hpp>
 #include <lobe/brdf/ggx_samplers.hpp>
 #include <lobe/brdf/metallic_roughness.hpp>
 #include <lobe/ndf/beckmann.hpp>
@@ -48,17 +49,30 @@ std::string text(const char* format, double x) {
 }
 
 /// var(weight)/mean(weight)^2 over all samples, failed ones included: the number of samples that leaves an error of 100 %.
-template <class Sampler>
-double relative_variance(const Sampler& sampler, double width, double mu) {
-    const microfacet lobe{ggx{alpha{width}}, smith_correlated{}, lobe::perfect_reflector{}, sampler};
+double relative_variance(const auto& brdf, double mu) {
     constexpr std::uint32_t n = 1 << 16;
     double sum = 0, squares = 0;
     for (std::uint32_t i = 0; i < n; ++i) {
-        const double weight = lobe.sample({std::sqrt((1 - mu) * (1 + mu)), 0, mu}, lobe::hammersley<double>(i, n)).weight;
+        const double weight = brdf.sample({std::sqrt((1 - mu) * (1 + mu)), 0, mu}, lobe::hammersley<double>(i, n)).weight;
         sum += weight;
         squares += weight * weight;
     }
     return squares * n / (sum * sum) - 1;
+}
+template <class Sampler>
+double relative_variance(const Sampler& sampler, double width, double mu) {
+    return relative_variance(microfacet{ggx{alpha{width}}, smith_correlated{}, lobe::perfect_reflector{}, sampler}, mu);
+}
+
+std::vector<std::vector<std::string>> diffuse_variances() {
+    std::vector<std::vector<std::string>> table{{"variance / mean^2 of the weight"}, {"`backscatter_sampling`"}, {"`cosine_sampling`"}};
+    for (const double r : {0.1, 0.5, 1.0})
+        for (const double mu : {0.5, 0.1, 0.01}) {
+            table[0].push_back("r " + text("%.1f", r) + ", cos " + text("%.2f", mu));
+            table[1].push_back(text("%.2g", relative_variance(lobe::eon{1.0, r}, mu)));
+            table[2].push_back(text("%.2g", relative_variance(lobe::eon{1.0, r, lobe::fon_loss{}, lobe::cosine_sampling{}}, mu)));
+        }
+    return table;
 }
 
 std::vector<std::vector<std::string>> variances() {
@@ -97,6 +111,20 @@ std::vector<model_section> samplers() {
     others.add("`student_t`, gamma 2.5, visible normals", student);
     others.not_in_a_loop();
 
+    rows_of<sample> diffuse("Samplers of `eon`",
+                            "`eon::sample` with `fon_loss_fit`, rgb albedo, roughness anywhere in its domain. The second table is of "
+                            "albedo 1.",
+                            {{"l", unit_of_error::absolute, 0, 3},
+                             {"weight", unit_of_error::weight, 3, 3},
+                             {"pdf", unit_of_error::relative, 6, 1}});
+    diffuse.add("`backscatter_sampling`", [](const auto& e) {
+        return lobe::eon{e.F0(), e.fraction(), lobe::fon_loss_fit{}};
+    });
+    diffuse.add("`cosine_sampling`", [](const auto& e) {
+        return lobe::eon{e.F0(), e.fraction(), lobe::fon_loss_fit{}, lobe::cosine_sampling{}};
+    });
+    if (exact_results_too) diffuse.made.rows.extra = diffuse_variances();
+
     rows_of<itself> maps("Maps of the square", "Absolute errors of the coordinates.", {{"x, y, z", unit_of_error::absolute, 0, 3}});
     maps.add("`square_to_cosine_hemisphere`", [](const auto& e) { return three(lobe::square_to_cosine_hemisphere(e.u())); });
     maps.add("`square_to_cosine_hemisphere_concentric`",
@@ -105,7 +133,7 @@ std::vector<model_section> samplers() {
     rows_of<itself> disks("Maps of the square: disks", "As above.", {{"x, y", unit_of_error::absolute, 0, 2}});
     disks.add("`square_to_uniform_disk`", [](const auto& e) { return two(lobe::square_to_uniform_disk(e.u())); });
     disks.add("`square_to_uniform_disk_concentric`", [](const auto& e) { return two(lobe::square_to_uniform_disk_concentric(e.u())); });
-    return {of_ggx.made, others.made, maps.made, disks.made};
+    return {of_ggx.made, others.made, diffuse.made, maps.made, disks.made};
 }
 
 /// The directional albedo of the element's GGX lobe, from the table ...

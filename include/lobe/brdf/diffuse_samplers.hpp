@@ -47,7 +47,7 @@ struct backscatter {
 /// uniform hemisphere of Portsmouth, Kutz, Hill 2025, section 4: 0.19.
 /// Domain: v unit, above the horizon, cosines of 1e-38 and more in float; u in [0,1)^2: no sample fails. u.x chooses the lobe and is
 /// stretched over [0,1) again. At v = n, and where tilt and peak are 0, it is the cosine. Rounding: 8 ULP of pdf's largest term,
-/// 4 ULP of rho for the weight; l in float 1e-6 radian. No term cancels next to the horizon: 1 - cos, 1 - u and their like are carried along.
+/// 4 ULP of rho for the weight; l in float 1e-6 radian. No term cancels next to the horizon, as 1 - cos and 1 - u are carried along.
 /// Cost: `sample` 3.5 times that of `cosine_sampling`, `evaluate` 1.3 times, in a vectorised loop 2 to 3.
 struct backscatter_sampling {
     template <class Model, scalar T>
