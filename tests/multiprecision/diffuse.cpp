@@ -75,8 +75,8 @@ TEMPLATE_TEST_CASE("rounding errors of the rough diffuse samplers' pdf and weigh
             // s is right to the ULP of its terms, which the second lobe multiplies by peak/(sin(theta_l) max(mu))
             const digits50 terms = abs(digits50(v.x) * digits50(l.x)) + abs(digits50(v.y) * digits50(l.y));
             const digits50 sine = sqrt(digits50(l.x) * digits50(l.x) + digits50(l.y) * digits50(l.y));
-            const digits50 peak = truth.backscattered().peak, t = lobe::larger(digits50(v.z), digits50(l.z));
-            const digits50 second = digits50(l.z) / 4 * peak * terms / (sine * t);
+            const digits50 peak = truth.backscattered().peak, higher = lobe::larger(digits50(v.z), digits50(l.z));
+            const digits50 second = digits50(l.z) / 4 * peak * terms / (sine * higher);
             const digits50 density = truth.pdf(exact(v), exact(l));
             pdf = larger(pdf, ulps(brdf.pdf(v, l), density, lobe::larger(density, second)));
             const auto s = brdf.sample(v, u);
