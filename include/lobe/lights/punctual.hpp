@@ -116,7 +116,7 @@ class cone {
 public:
     constexpr cone(const T& inner, const T& outer) {
         using std::sin;
-        constexpr float rounding = 0x1p-23f;  // house: of a float, in which files hold angles
+        [[maybe_unused]] constexpr float rounding = 0x1p-23f;  // house: of a float, in which files hold angles
         assert(all(inner >= T(0)) && all(inner <= outer) && all(outer <= pi<T>() / T(2) * (T(1) + T(rounding))) &&
                "cone: 0 <= inner <= outer <= pi/2");
         const T widest = pi<T>() / T(2), within = smaller(outer, widest);
