@@ -1,6 +1,8 @@
 // What every formula needs of a number: the scalar concept, select and all, pi, and the sine and cosine of a turn.
 #pragma once
 
+#include <lobe/core/cpp20.hpp>
+
 #include <cmath>
 #include <concepts>
 #include <type_traits>

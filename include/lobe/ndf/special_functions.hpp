@@ -23,7 +23,7 @@ constexpr T log1p_ratio(const T& x) {
 
 /// The continued fraction a1/(b1 + a2/(b2 + ...)) by the modified method of Lentz (Thompson & Barnett 1986). Scalar types only.
 template <single T, class Numerator, class Denominator>
-T continued_fraction(const Numerator& a, const Denominator& b) {
+constexpr T continued_fraction(const Numerator& a, const Denominator& b) {
     using std::abs;
     const T tiny = horizon<T>();  // stands for a zero that turns up by chance
     T value = b(1), c = value, d(0);
@@ -43,7 +43,7 @@ T continued_fraction(const Numerator& a, const Denominator& b) {
 /// (NIST DLMF 8.17.22, of which this is every second convergent, loses p ULP as x nears 1.) `complement` is 1 - x; `norm` is
 /// Gamma(p + q)/(Gamma(p) Gamma(q)). p, q > 0. Scalar types only. With q = 1/2 tens of terms for any p.
 template <single T>
-T incomplete_beta(const T& p, const T& q, const T& x, const T& complement, const T& norm) {
+constexpr T incomplete_beta(const T& p, const T& q, const T& x, const T& complement, const T& norm) {
     using std::exp, std::log, std::log1p;
     const auto tail = [&](const T& p1, const T& q1, const T& x1, const T& y1) {
         const auto numerator = [&](int n) {
@@ -67,36 +67,36 @@ T incomplete_beta(const T& p, const T& q, const T& x, const T& complement, const
 template <single T>
 struct incomplete_gamma {
     T s, gamma_s;
-    explicit incomplete_gamma(const T& shape) : s(shape), gamma_s() {
+    constexpr explicit incomplete_gamma(const T& shape) : s(shape), gamma_s() {
         using std::tgamma;
         gamma_s = tgamma(s);
     }
 
     /// x^s e^-x / Gamma(s)
-    T front(const T& x) const {
+    constexpr T front(const T& x) const {
         using std::exp, std::pow;
         return exp(-x) * pow(x, s) / gamma_s;
     }
-    T lower_by_series(const T& x) const {
+    constexpr T lower_by_series(const T& x) const {
         T term = T(1) / s, total = term;
         for (int n = 1; n < 10000 && term > total * std::numeric_limits<T>::epsilon() / T(4); ++n) total += term *= x / (s + T(n));
         return front(x) * total;
     }
-    T upper_by_fraction(const T& x) const {
+    constexpr T upper_by_fraction(const T& x) const {
         if (!(front(x) > T(0))) return T(0);
         const auto a = [&](int n) { return n == 1 ? T(1) : T(n - 1) * (s - T(n - 1)); };
         const auto b = [&](int n) { return x + T(2 * n - 1) - s; };
         return front(x) * continued_fraction<T>(a, b);
     }
-    T upper(const T& x) const { return x < s + T(1) ? T(1) - lower_by_series(x) : upper_by_fraction(x); }
-    T lower(const T& x) const { return x < s + T(1) ? lower_by_series(x) : T(1) - upper_by_fraction(x); }
+    constexpr T upper(const T& x) const { return x < s + T(1) ? T(1) - lower_by_series(x) : upper_by_fraction(x); }
+    constexpr T lower(const T& x) const { return x < s + T(1) ? lower_by_series(x) : T(1) - upper_by_fraction(x); }
 };
 
 /// The upper incomplete gamma function Gamma(s, x) for any real s and x > 0: the continued fraction from x or from 1 on, and
 /// below 1 the integral of the series of e^-y, term by term, as (1 - x^q)/q = -ln x phi(q ln x), which has no poles.
 /// Scalar types only. Relative error 1e-14 for |s| <= 8.
 template <single T>
-T upper_gamma(const T& s, const T& x) {
+constexpr T upper_gamma(const T& s, const T& x) {
     using std::exp, std::log, std::pow;
     const T from = larger(x, T(1));
     const auto a = [&](int n) { return n == 1 ? T(1) : T(n - 1) * (s - T(n - 1)); };
@@ -114,7 +114,7 @@ T upper_gamma(const T& s, const T& x) {
 /// The y >= 0 with erfc(y)/2 = p, 0 < p <= 1/2. Start: Abramowitz & Stegun 26.2.23 (4.5e-4); two steps of Halley, each of which
 /// cubes the error. Error: 4 ULP in double. Scalar types only.
 template <single T>
-T inverse_half_erfc(const T& p) {
+constexpr T inverse_half_erfc(const T& p) {
     using std::erfc, std::exp, std::log, std::sqrt;
     const T t = sqrt(T(-2) * log(p));
     T y = (t - (T(2.515517) + t * (T(0.802853) + t * T(0.010328))) /

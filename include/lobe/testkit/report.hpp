@@ -1,6 +1,8 @@
 // What a verdict consists of: one check a property, with the worst input and what such a failure usually means.
 #pragma once
 
+#include <lobe/core/cpp20.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
