@@ -99,9 +99,9 @@ constexpr T root_of_increasing(T low, T high, T x, const F& f) {
     if (!(x > low && x < high)) x = (low + high) / T(2);
     for (int i = 0; i < 100; ++i) {
         const value_and_slope<T> here = f(x);
-        if (here.value == T(0)) break;
+        if (equal(here.value, T(0))) break;
         (here.value < T(0) ? low : high) = x;
-        const T newton = here.slope == T(0) ? low : x - here.value / here.slope;
+        const T newton = equal(here.slope, T(0)) ? low : x - here.value / here.slope;
         const bool inside = newton > low && newton < high;
         const T next = inside ? newton : (low + high) / T(2);
         const T step = abs(next - x);

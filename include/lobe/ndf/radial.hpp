@@ -225,7 +225,7 @@ public:
 
 private:
     T scale;
-    std::array<detail::value_and_slope<T>, panels + 1> node;
+    std::array<detail::value_and_slope<T>, std::size_t(panels) + 1> node;
 };
 
 /// A profile that somebody else keeps: `stretched{shared{profile}, alpha{a}}` costs a pointer where the profile holds a table.

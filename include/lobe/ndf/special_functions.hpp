@@ -9,7 +9,7 @@ namespace lobe::detail {
 template <scalar T>
 constexpr T expm1_ratio(const T& x) {
     using std::expm1;
-    const auto zero = x == T(0);
+    const auto zero = equal(x, T(0));
     return select(zero, T(1), expm1(x) / select(zero, T(1), x));
 }
 
@@ -17,7 +17,7 @@ constexpr T expm1_ratio(const T& x) {
 template <scalar T>
 constexpr T log1p_ratio(const T& x) {
     using std::log1p;
-    const auto zero = x == T(0);
+    const auto zero = equal(x, T(0));
     return select(zero, T(1), log1p(x) / select(zero, T(1), x));
 }
 
@@ -29,9 +29,9 @@ constexpr T continued_fraction(const Numerator& a, const Denominator& b) {
     T value = b(1), c = value, d(0);
     for (int n = 2; n < 20000; ++n) {
         d = b(n) + a(n) * d;
-        d = T(1) / (d == T(0) ? tiny : d);
+        d = T(1) / (equal(d, T(0)) ? tiny : d);
         c = b(n) + a(n) / c;
-        c = c == T(0) ? tiny : c;
+        c = equal(c, T(0)) ? tiny : c;
         value *= c * d;
         if (abs(c * d - T(1)) < std::numeric_limits<T>::epsilon()) break;
     }
@@ -58,8 +58,9 @@ constexpr T incomplete_beta(const T& p, const T& q, const T& x, const T& complem
         const T log_x = x1 < y1 ? log(x1) : log1p(-y1), log_y = x1 < y1 ? log1p(-x1) : log(y1);
         return exp(p1 * log_x + q1 * log_y) * norm * continued_fraction<T>(numerator, denominator);
     };
-    if (x == T(0)) return T(0);
-    return x < (p + T(1)) / (p + q + T(2)) ? tail(p, q, x, complement) : T(1) - (complement == T(0) ? T(0) : tail(q, p, complement, x));
+    if (equal(x, T(0))) return T(0);
+    if (x < (p + T(1)) / (p + q + T(2))) return tail(p, q, x, complement);
+    return T(1) - (equal(complement, T(0)) ? T(0) : tail(q, p, complement, x));
 }
 
 /// The regularised upper incomplete gamma function Q(s, x) = Gamma(s, x)/Gamma(s), s > 0, x >= 0: series of positive terms of its

@@ -28,9 +28,9 @@ struct check : finding {
 
 namespace detail {
 
-inline std::string number(double x, const char* format = "%.6g") {
+inline std::string number(double x, int digits = 6) {
     char text[40];
-    std::snprintf(text, sizeof text, format, std::isnan(x) ? std::abs(x) : x);  // not "-nan"
+    std::snprintf(text, sizeof text, "%.*g", digits, std::isnan(x) ? std::abs(x) : x);  // not "-nan"
     return text;
 }
 
@@ -50,7 +50,7 @@ inline std::string quoted(const std::string& text) {
 }
 
 /// JSON knows no NaN and no infinity: they are null.
-inline std::string json_number(double x) { return std::isfinite(x) ? number(x, "%.17g") : "null"; }
+inline std::string json_number(double x) { return std::isfinite(x) ? number(x, 17) : "null"; }
 
 }  // namespace detail
 
