@@ -110,7 +110,7 @@ constexpr T of_walk(const N& ndf, const F& f, const input<T>& in) {
 #undef EVERYTHING_CALL
 
 template <class T>
-lobe::latlong<T> map_of(const input<T>& in) {
+constexpr lobe::latlong<T> map_of(const input<T>& in) {
     return {8, 4, std::vector<lobe::vec3<T>>(32, in.color())};
 }
 
