@@ -43,8 +43,8 @@ else
         "$compiler" -x cuda --cuda-device-only -nocudainc -nocudalib --cuda-gpu-arch=sm_70 -Wno-unknown-cuda-version -std=c++20 -fsyntax-only \
             -ferror-limit=0 -DCLANG "${flags[@]}" "$@" 2>&1
     }
-    # The deduction guides: clang takes the user's for host functions, and says so wherever one is used (README).
-    errors() { grep 'error:' "$1" | grep -v 'deduction guide' || true; }
+    # clang takes deduction guides for host functions (README): lobe itself uses none of those that are written out, the calls here do.
+    errors() { grep 'error:' "$1" | grep -v '^[^ ]*everything\..*deduction guide' || true; }
     flags=("$@")
     printf '%s\n' '#include "cuda_by_clang.hpp"' '#include <cmath>' '#include <cassert>' \
         '__global__ void kernel(double* x) { assert(*x > 0); *x = std::exp(*x); }' > "$work/control.cu"

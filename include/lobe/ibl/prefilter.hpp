@@ -25,7 +25,7 @@ constexpr auto prefiltered_radiance(const Environment& environment, const vec3<T
     using WS = detail::wide_t<S>;
     using W = detail::wide_t<T>;
     assert(count > 0 && "prefiltered_radiance: count must be above 0");
-    const ggx normals{a};
+    const ggx<T> normals{a};
     const frame<T> at(r);
     WS total(W(0));
     W weights(0);
