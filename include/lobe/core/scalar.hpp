@@ -1,6 +1,8 @@
 // What every formula needs of a number: the scalar concept, select and all, pi, and the sine and cosine of a turn.
 #pragma once
 
+#include <lobe/core/cpp20.hpp>
+
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -34,6 +36,19 @@ template <scalar T>
 [[gnu::always_inline]] __attribute__((no_sanitize("float-divide-by-zero"))) constexpr T quotient(const T& a, const T& b) {
     return a / b;
 }
+
+#ifdef __GNUC__
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wfloat-equal"
+#endif
+/// a == b in each lane, where exactly that is meant: the one place that compilers which warn of it have to be told so.
+template <scalar T>
+constexpr auto equal(const T& a, const T& b) {
+    return a == b;
+}
+#ifdef __GNUC__
+#pragma GCC diagnostic pop
+#endif
 
 /// Does a condition hold in every lane? One number has one lane.
 constexpr bool all(bool mask) { return mask; }
@@ -149,10 +164,11 @@ template <scalar T>
             cosine = T(1) + t * q;
         }
         // a quarter turn maps (sin, cos) to (cos, -sin)
-        const auto odd = quarter == T(1) || quarter == T(3);
+        const auto one = equal(quarter, T(1)), two = equal(quarter, T(2)), three = equal(quarter, T(3));
+        const auto odd = one || three;
         const T s = select(odd, cosine, sine);
         const T c = select(odd, sine, cosine);
-        return {select(quarter == T(2) || quarter == T(3), -s, s), select(quarter == T(1) || quarter == T(2), -c, c)};
+        return {select(two || three, -s, s), select(one || two, -c, c)};
     }
 }
 

@@ -18,7 +18,7 @@ namespace lobe {
 /// `environment`: any callable from a unit world direction to a radiance. n: unit, world space.
 /// Error: that of `count` >= 1 cosine-distributed Hammersley points; none for a constant environment.
 template <scalar T, class Environment>
-auto irradiance(const Environment& environment, const vec3<T>& n, std::uint32_t count) {
+constexpr auto irradiance(const Environment& environment, const vec3<T>& n, std::uint32_t count) {
     using S = std::decay_t<decltype(environment(n))>;
     using WS = detail::wide_t<S>;
     using W = detail::wide_t<T>;

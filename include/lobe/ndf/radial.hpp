@@ -30,13 +30,13 @@ namespace detail {
 
 /// f(tau), the density of slopes.
 template <class Shape, single T>
-T slope_density(const Shape& shape, const T& tau) {
+constexpr T slope_density(const Shape& shape, const T& tau) {
     return shape.D(tau, T(1));
 }
 
 /// int g(R) 2 pi f(a^2 + R^2) R dR over R > from: an average over the facets whose slope r is more than `a`, R^2 = r^2 - a^2.
 template <single T, class Shape, class G>
-auto average_over_steep(const Shape& shape, const T& a, const T& from, const G& g) {
+constexpr auto average_over_steep(const Shape& shape, const T& a, const T& from, const G& g) {
     using std::sqrt;
     const auto integrand = [&](const T& R) { return g(R) * (T(2) * pi<T>() * slope_density(shape, a * a + R * R) * R); };
     if constexpr (requires { shape.max_tan2(); }) {
@@ -50,7 +50,7 @@ auto average_over_steep(const Shape& shape, const T& a, const T& from, const G& 
 /// back(a) by quadrature, and its slope: (1/pi) int (R - a atan(R/a)) and -(1/pi) int atan(R/a) over the facets steeper than
 /// a.
 template <single T, class Shape>
-value_and_slope<T> back_by_quadrature(const Shape& shape, const T& a) {
+constexpr value_and_slope<T> back_by_quadrature(const Shape& shape, const T& a) {
     using std::atan2;
     const vec2<T> both = average_over_steep(shape, a, T(0), [&](const T& R) {
         const T angle = atan2(R, a);
@@ -67,7 +67,7 @@ value_and_slope<T> back_by_quadrature(const Shape& shape, const T& a) {
 /// Unit v, also below the horizon; `back` is the area of back faces over s. Scalar types only; 200 to 500 evaluations of D
 /// at grazing angles, none from above.
 template <class Shape, single T>
-vec3<T> sample_visible_radial(const Shape& shape, const T& back, const vec3<T>& v, const vec2<T>& u) {
+constexpr vec3<T> sample_visible_radial(const Shape& shape, const T& back, const vec3<T>& v, const vec2<T>& u) {
     using std::abs, std::asinh, std::atan2, std::cos, std::log, std::sin, std::sinh, std::sqrt;
     const T z = v.z, s = sqrt(v.x * v.x + v.y * v.y), cot = s > T(0) ? z / s : T(0), a = larger(cot, -cot);
     const T sigma = larger(z, T(0)) + s * back;
@@ -113,7 +113,7 @@ vec3<T> sample_visible_radial(const Shape& shape, const T& back, const vec3<T>& 
 
 /// The same, computed in double at least.
 template <class Shape, single T>
-vec3<T> sample_visible_by_quadrature(const Shape& shape, const vec3<T>& v, const vec2<T>& u) {
+constexpr vec3<T> sample_visible_by_quadrature(const Shape& shape, const vec3<T>& v, const vec2<T>& u) {
     using W = at_least_double<T>;
     using std::sqrt;
     const T cotangent = smaller(quotient(T(larger(v.z, -v.z)), T(sqrt(v.x * v.x + v.y * v.y))), largest<T>());
@@ -198,7 +198,7 @@ public:
 template <class Shape, detail::single T, int panels = 96>
 class tabulated : public Shape {
 public:
-    explicit tabulated(const Shape& shape) : Shape(shape), scale(), node() {
+    constexpr explicit tabulated(const Shape& shape) : Shape(shape), scale(), node() {
         using W = detail::at_least_double<T>;
         using std::sqrt;
         const auto wide = shape.template as<W>();
@@ -213,7 +213,7 @@ public:
         node[panels] = {T(0), T(0)};
     }
 
-    T back(const T& cot) const {
+    constexpr T back(const T& cot) const {
         using std::sqrt;
         const T x = (T(1) - T(1) / (T(1) + sqrt(cot / scale))) * T(panels);
         const int i = x < T(panels) ? static_cast<int>(x) : panels - 1;
@@ -225,7 +225,7 @@ public:
 
 private:
     T scale;
-    std::array<detail::value_and_slope<T>, panels + 1> node;
+    std::array<detail::value_and_slope<T>, std::size_t(panels) + 1> node;
 };
 
 /// A profile that somebody else keeps: `stretched{shared{profile}, alpha{a}}` costs a pointer where the profile holds a table.

@@ -55,7 +55,7 @@ constexpr concentric_point<T> concentric(const vec2<T>& u) {
     const T edge_x = smaller(u.x, T(1) - u.x), edge_y = smaller(u.y, T(1) - u.y);
     const auto wide = edge_x < edge_y;
     const T r = select(wide, a, b), other = select(wide, b, a);
-    const auto [s, c] = sincos_2pi(other / select(r == T(0), T(1), r) * T(0.125f));
+    const auto [s, c] = sincos_2pi(other / select(equal(r, T(0)), T(1), r) * T(0.125f));
     return {{r * select(wide, c, s), r * select(wide, s, c)}, smaller(edge_x, edge_y)};
 }
 
