@@ -17,20 +17,24 @@ class latlong_pyramid;
 
 namespace detail {
 
-/// Where a look-up reads: (u, v), and the sine and the cotangent of the angle from the zenith.
+/// Where a look-up reads: u of latlong_uv, with 1 in place of 0 on one side of the seam, and the angle from the pole that is nearer, as v is.
+/// In double at least: in float, what 1/pi loses to rounding would open a gap of 1e-4 of a column of 2048 at the seam.
 template <scalar T>
 struct latlong_place {
-    T u, v, sine, cotangent;
+    wide_t<T> u, v;
+    T sine, cotangent;  // of the angle from the pole
+    bool nadir;         // is that pole the nadir?
 
-    explicit latlong_place(const vec3<T>& direction) {
-        using std::sqrt;
-        const vec2<T> uv = latlong_uv(direction);
-        u = uv.x;
-        v = uv.y;
+    explicit latlong_place(const vec3<T>& direction) : nadir(direction.y < T(0)) {
+        using std::atan2, std::sqrt;
+        using W = wide_t<T>;
+        const T height = nadir ? -direction.y : direction.y;
         sine = sqrt(direction.x * direction.x + direction.z * direction.z);
-        cotangent = quotient(direction.y, sine);
+        cotangent = quotient(height, sine);
+        u = W(0.5) + W(T(atan2(direction.z, direction.x))) * (inv_pi<W>() / W(2));
+        v = W(T(atan2(sine, height))) * inv_pi<W>();
     }
-    bool exists() const { return v >= T(0); }  // a direction with a NaN in it is nowhere
+    bool exists() const { return v >= wide_t<T>(0); }  // a direction with a NaN in it is nowhere
 };
 
 /// Between a and b; a itself for a = b.
@@ -39,14 +43,16 @@ constexpr vec3<T> mix(const vec3<T>& a, const vec3<T>& b, const T& t) {
     return a + (b - a) * t;
 }
 
-/// The width, in columns, of the window along a row that makes a texel about as wide as high: with the tent of the interpolation it has
-/// the variance of a disk of that solid angle, solid_angle/(4 pi) = sine^2 column^2 (width^2 + 1)/12. At least one column.
+/// How many columns of a row to average so that a look-up there reads about as far along the row as a texel of so many sr is high:
+///   columns^2 = 3 (x^2 - 1),  x^2 = solid_angle/(sine 2 pi/width)^2,  from 1 to the whole row.
+/// Interpolated over the box of a texel, a row has the variance 1/12 + 1/6 of its height, here x^2/4 of a column; a window of so many columns,
+/// in the same way, (columns^2 + 2)/12. The rest, 1/12, leaves alone what is less than a sixth higher than wide.
 template <scalar T>
-T latlong_window(const T& solid_angle, const T& sine, int columns) {
+T latlong_window(const T& solid_angle, const T& sine, int width) {
     using std::sqrt;
-    const T column = sine * (T(2) * pi<T>() / T(columns));
-    const T square = T(3) * inv_pi<T>() * quotient(solid_angle, column * column) - T(1);
-    return smaller(sqrt(larger(T(1), square)), T(columns));  // in this order a NaN is one column
+    const T column = sine * (T(2) * pi<T>() / T(width));
+    const T square = T(3) * (quotient(solid_angle, column * column) - T(1));
+    return smaller(sqrt(larger(T(1), square)), T(width));  // in this order a NaN is one column
 }
 
 }  // namespace detail
@@ -81,7 +87,7 @@ struct latlong {
 
     vec3<T> operator()(const vec3<T>& direction) const {
         const detail::latlong_place<T> place(direction);
-        return place.exists() ? interpolated(place) : vec3<T>(place.v);
+        return place.exists() ? interpolated(place) : vec3<T>(T(place.v));
     }
 
 private:
@@ -89,27 +95,27 @@ private:
     using W = detail::wide_t<T>;
 
     vec3<T> interpolated(const detail::latlong_place<T>& place) const {
-        const T x = place.u * T(width) - T(0.5);
-        const int column = static_cast<int>(x + T(1)) - 1;  // floor: x is at least -1/2
-        const int left = column < 0 ? width - 1 : column, right = column + 1 < width ? column + 1 : 0;
-        const T t = x - T(column);
+        const W x = place.u * W(width) + W(0.5);  // from 1/2 to width + 1/2
+        const int column = static_cast<int>(x);
+        const int left = column > 0 ? column - 1 : width - 1, right = column < width ? column : 0;
+        const T t = T(x - W(column));
         return over_rows(place, [&](int row) { return detail::mix(at(left, row), at(right, row), t); });
     }
 
     /// The same with rows averaged over a window of so many columns, at least one; with one it is the same.
     vec3<T> averaged(const detail::latlong_place<T>& place, const T& columns) const {
-        return over_rows(place, [&](int row) { return mean_along(row, W(place.u) * W(width) - W(columns) / W(2), W(columns)); });
+        return over_rows(place, [&](int row) { return mean_along(row, place.u * W(width) - W(columns) / W(2), W(columns)); });
     }
 
     /// `along(row)`: the radiance of a row at the azimuth of the place. Whatever mean over azimuths that is, the energy stays.
     template <class Along>
     vec3<T> over_rows(const detail::latlong_place<T>& place, const Along& along) const {
-        const T y = place.v * T(height) - T(0.5), rest = T(height - 1) - y;
-        if (y < T(0)) return detail::mix(zenith, along(0), T(1) + T(2) * y);
-        if (rest < T(0)) return detail::mix(nadir, along(height - 1), T(1) + T(2) * rest);
-        const int row = static_cast<int>(y);
-        const T t = y - T(row);
-        return detail::mix(along(row), along((std::min)(row + 1, height - 1)), t + k * t * (T(1) - t) * place.cotangent);
+        const auto row = [&](int from_pole) { return along(place.nadir ? height - 1 - from_pole : from_pole); };
+        const W y = place.v * W(height) - W(0.5);
+        if (y < W(0)) return detail::mix(place.nadir ? nadir : zenith, row(0), T(W(1) + W(2) * y));
+        const int i = static_cast<int>(y);
+        const T t = T(y - W(i));
+        return detail::mix(row(i), row((std::min)(i + 1, height - 1)), t + k * t * (T(1) - t) * place.cotangent);
     }
 
     /// The mean of a row from column `from` on, over so many columns, fractions counted.
@@ -155,7 +161,7 @@ public:
     vec3<T> operator()(const vec3<T>& direction, const T& solid_angle) const {
         using std::log2;
         const detail::latlong_place<T> place(direction);
-        if (!place.exists()) return vec3<T>(place.v);
+        if (!place.exists()) return vec3<T>(T(place.v));
         const T finest(0), coarsest = static_cast<T>(levels.size() - 1);
         const T lod = smaller(larger(finest, log2(solid_angle * per_texel) / T(2)), coarsest);  // in this order a NaN is the finest
         const auto low = static_cast<std::size_t>(lod);
