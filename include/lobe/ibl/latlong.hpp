@@ -166,7 +166,7 @@ public:
         const T lod = smaller(larger(finest, log2(solid_angle * per_texel) / T(2)), coarsest);  // in this order a NaN is the finest
         const auto low = static_cast<std::size_t>(lod);
         const auto high = (std::min)(low + 1, levels.size() - 1);
-        const vec3<T> fine = low == 0 ? image(place, smaller(texel, solid_angle)) : levels[low].interpolated(place);
+        const vec3<T> fine = low == 0 ? image(place, smaller(solid_angle, texel)) : levels[low].interpolated(place);
         return detail::mix(fine, levels[high].interpolated(place), lod - static_cast<T>(low));
     }
 
