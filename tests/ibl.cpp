@@ -60,9 +60,10 @@ TEST_CASE("a lat-long image interpolates across its seam and at its poles", "[ib
     const auto map = cosine_map(256, 128, {0, 0, 1});
     random_numbers random(2);
     for (int i = 0; i < 10000; ++i) {
-        const vec3<double> w = i % 2 ? random.direction() : lobe::normalize(vec3<double>{-1, random.between(-1, 1), random.between(-0.01, 0.01)});
-        // linear: an eighth of the squared texel times the second derivative, in each angle; a sixteenth of it times the first and cot theta
-        // for the weights that keep the energy, no more than at the middle of the row next to the pole
+        const vec3<double> w =
+            i % 2 ? random.direction() : lobe::normalize(vec3<double>{-1, random.between(-1, 1), random.between(-0.01, 0.01)});
+        // linear: an eighth of the squared texel times the second derivative, in each angle; a sixteenth of it times the first and cot
+        // theta for the weights that keep the energy, no more than at the middle of the row next to the pole
         const double texel = 3.141592653589793 / 128, theta = std::acos(std::abs(w.y));
         CHECK(std::abs(map(w).x - (1 + w.z)) < texel * texel * (0.25 + 1 / (16 * std::tan(larger(theta, texel / 2)))));
         CHECK(map(w).z == Catch::Approx(1));
@@ -73,14 +74,17 @@ TEST_CASE("irradiance: analytic environments", "[ibl]") {
     // L = 1 + w.a: E/pi = 1 + (2/3) n.a.  L = (w.a)^2: E/pi = (1 + (n.a)^2)/4.
     const vec3<double> a = lobe::normalize(vec3<double>{0.3, 0.5, -0.8});
     const auto map = cosine_map(256, 128, a);
-    const auto analytic = [&](const vec3<double>& w) { const double c = lobe::dot(w, a); return vec3<double>{1 + c, c * c, 1}; };
+    const auto analytic = [&](const vec3<double>& w) {
+        const double c = lobe::dot(w, a);
+        return vec3<double>{1 + c, c * c, 1};
+    };
     random_numbers random(3);
     for (int i = 0; i < 20; ++i) {
         const vec3<double> n = random.direction();
         const double c = lobe::dot(n, a);
         const vec3<double> exact{1 + 2 * c / 3, (1 + c * c) / 4, 1};
         CHECK(lobe::length(lobe::irradiance(analytic, n, 4096) - exact) < 1e-3);  // Hammersley, 4096 points: log(n)/n = 2e-3, measured 2e-4
-        CHECK(lobe::length(lobe::irradiance(map, n) - exact) < 3e-4);              // midpoint rule over texels of 1.4 degrees
+        CHECK(lobe::length(lobe::irradiance(map, n) - exact) < 3e-4);             // midpoint rule over texels of 1.4 degrees
     }
     const auto constant = [](const vec3<float>&) { return 2.5f; };
     CHECK(lobe::irradiance(constant, vec3<float>{0, 1, 0}, 64) == Catch::Approx(2.5));
@@ -158,7 +162,8 @@ TEST_CASE("each level of the pyramid keeps the mean over the sphere, odd sizes t
             for (int x = 0; x < map.width; ++x) total += map.at(x, y) * lobe::latlong_texel_solid_angle<double>(y, map.width, map.height);
         return total;
     };
-    for (std::size_t i = 1; i < pyramid.size(); ++i) CHECK(lobe::length(mean(pyramid.level(i)) - mean(pyramid.level(0))) < 1e-9);  // half a million terms
+    for (std::size_t i = 1; i < pyramid.size(); ++i)
+        CHECK(lobe::length(mean(pyramid.level(i)) - mean(pyramid.level(0))) < 1e-9);  // half a million terms
 }
 
 namespace {
@@ -172,7 +177,7 @@ latlong<T> one_texel(int width, int height, int column, int row) {
 }
 
 template <class T>
-latlong<T> noise(int width, int height, int seed) {
+latlong<T> noise(int width, int height, std::uint64_t seed) {
     random_numbers random(seed);
     std::vector<vec3<T>> pixels(static_cast<std::size_t>(width * height));
     for (auto& p : pixels) p = vec3<T>(T(random.between(0, 1)));
@@ -220,10 +225,11 @@ double energy(const Look& look, const std::vector<int>& heights, int count) {
 }  // namespace
 
 TEMPLATE_TEST_CASE("the energy of an image is kept by every look-up, level and solid angle", "[ibl]", float, double) {
-    // The steps divide the columns of every level, so sums along a row are exact, and what is left is rounding: 1e-5 asked, 1e-12 had in double,
-    // 1e-6 in float. Plain bilinear weights give a texel next to a pole 8% too much.
-    const auto [width, height] = GENERATE(std::pair{1, 1}, std::pair{2, 1}, std::pair{1, 2}, std::pair{2, 2}, std::pair{3, 5}, std::pair{7, 4},
-                                          std::pair{16, 1}, std::pair{1, 64}, std::pair{32, 16}, std::pair{21, 11}, std::pair{40, 5});
+    // The steps divide the columns of every level, so sums along a row are exact, and what is left is rounding: 1e-5 asked, 1e-12 had in
+    // double, 1e-6 in float. Plain bilinear weights give a texel next to a pole 8% too much.
+    const auto [width, height] =
+        GENERATE(std::pair{1, 1}, std::pair{2, 1}, std::pair{1, 2}, std::pair{2, 2}, std::pair{3, 5}, std::pair{7, 4}, std::pair{16, 1},
+                 std::pair{1, 64}, std::pair{32, 16}, std::pair{21, 11}, std::pair{40, 5});
     for (const auto& map : {noise<TestType>(width, height, 5), one_texel<TestType>(width, height, width / 3, 0),
                             one_texel<TestType>(width, height, width - 1, height - 1), one_texel<TestType>(width, height, 0, height / 2)}) {
         const double exact = energy(map);
@@ -253,7 +259,8 @@ TEST_CASE("a look-up over a pole is continuous, and right by symmetry", "[ibl]")
     // L = 1 + x, half a steradian at the zenith: 1. An azimuth of its own at the pole gives 1.41 on one side and 0.59 on the other.
     std::vector<vec3<double>> pixels;
     for (int y = 0; y < 64; ++y)
-        for (int x = 0; x < 128; ++x) pixels.push_back(vec3<double>(1 + lobe::latlong_direction(vec2<double>{(x + 0.5) / 128, (y + 0.5) / 64}).x));
+        for (int x = 0; x < 128; ++x)
+            pixels.push_back(vec3<double>(1 + lobe::latlong_direction(vec2<double>{(x + 0.5) / 128, (y + 0.5) / 64}).x));
     const lobe::latlong_pyramid<double> pyramid(latlong<double>(128, 64, pixels));
     const auto grainy = noise<double>(GENERATE(1, 5, 64), GENERATE(1, 4, 32), 6);
     const lobe::latlong_pyramid<double> grains(grainy);
@@ -270,8 +277,8 @@ TEST_CASE("a look-up over a pole is continuous, and right by symmetry", "[ibl]")
 }
 
 TEST_CASE("a small sun gives the same highlight wherever it stands", "[ibl]") {
-    // GGX seen head on, in closed form: D(m)/4 with (m.r)^2 = (1 + l.r)/2, and its normalisation by the midpoint rule. A sun of one texel is
-    // smaller than any cap that a sample asks for. Rms over reflections up to 80 degrees off the sun, 48 of them: at most 0.12 of the
+    // GGX seen head on, in closed form: D(m)/4 with (m.r)^2 = (1 + l.r)/2, and its normalisation by the midpoint rule. A sun of one texel
+    // is smaller than any cap that a sample asks for. Rms over reflections up to 80 degrees off the sun, 48 of them: at most 0.12 of the
     // rms highlight, what a look-up that averages over the true cap has. Levels with slivers at the poles: 0.8, and more for more samples.
     constexpr double pi = 3.141592653589793;
     const auto [width, height, count] =
@@ -283,8 +290,10 @@ TEST_CASE("a small sun gives the same highlight wherever it stands", "[ibl]") {
     };
     double all = 0;
     for (int i = 0; i < 10000; ++i) all += 2 * pi * lobe_of((i + 0.5) / 10000) / 10000;
-    for (const double degrees : {0.0, 1.0, 2.0, 3.5, 5.0, 7.0, 10.0, 15.0, 20.0, 45.0, 60.0, 100.0, 130.0, 165.0, 172.0, 177.0, 179.0, 180.0}) {
-        const int row = std::clamp(static_cast<int>(degrees / 180 * height), 0, height - 1), column = 5 * width / 8;  // the worst: on an edge of every level
+    for (const double degrees :
+         {0.0, 1.0, 2.0, 3.5, 5.0, 7.0, 10.0, 15.0, 20.0, 45.0, 60.0, 100.0, 130.0, 165.0, 172.0, 177.0, 179.0, 180.0}) {
+        const int row = std::clamp(static_cast<int>(degrees / 180 * height), 0, height - 1),
+                  column = 5 * width / 8;  // the worst: on an edge of every level
         const auto sun = lobe::latlong_direction(vec2<double>{(column + 0.5) / width, (row + 0.5) / height});
         const lobe::latlong_pyramid<float> pyramid(one_texel<float>(width, height, column, row));
         const double power = lobe::latlong_texel_solid_angle<double>(row, width, height);
@@ -295,7 +304,8 @@ TEST_CASE("a small sun gives the same highlight wherever it stands", "[ibl]") {
                 lobe::frame<double>(sun).to_world({std::sin(away) * std::cos(2.4 * k), std::sin(away) * std::sin(2.4 * k), std::cos(away)});
             const double exact = power * lobe_of(lobe::dot(sun, r)) / all;
             const double difference =
-                static_cast<double>(lobe::prefiltered_radiance(pyramid, vec3<float>(r), lobe::alpha{static_cast<float>(a)}, count).x) - exact;
+                static_cast<double>(lobe::prefiltered_radiance(pyramid, vec3<float>(r), lobe::alpha{static_cast<float>(a)}, count).x) -
+                exact;
             error += difference * difference;
             highlight += exact * exact;
         }
@@ -306,9 +316,9 @@ TEST_CASE("a small sun gives the same highlight wherever it stands", "[ibl]") {
 
 TEMPLATE_TEST_CASE("a constant image is constant, however few its texels", "[ibl]", float, double) {
     using T = TestType;
-    const auto [width, height] =
-        GENERATE(std::pair{1, 1}, std::pair{2, 1}, std::pair{1, 2}, std::pair{2, 2}, std::pair{3, 1}, std::pair{1, 3}, std::pair{8, 1},
-                 std::pair{1, 8}, std::pair{4, 2}, std::pair{3, 5}, std::pair{7, 4}, std::pair{4096, 1}, std::pair{1, 4096}, std::pair{64, 32});
+    const auto [width, height] = GENERATE(std::pair{1, 1}, std::pair{2, 1}, std::pair{1, 2}, std::pair{2, 2}, std::pair{3, 1},
+                                          std::pair{1, 3}, std::pair{8, 1}, std::pair{1, 8}, std::pair{4, 2}, std::pair{3, 5},
+                                          std::pair{7, 4}, std::pair{4096, 1}, std::pair{1, 4096}, std::pair{64, 32});
     const T value = GENERATE(T(1), T(0.1), T(3e4));
     const latlong<T> map(width, height, std::vector<vec3<T>>(static_cast<std::size_t>(width * height), vec3<T>(value)));
     const lobe::latlong_pyramid<T> pyramid(map);
@@ -320,7 +330,8 @@ TEMPLATE_TEST_CASE("a constant image is constant, however few its texels", "[ibl
     for (const auto& w : directions) {
         CHECK(std::abs(map(w).x - value) <= rounding);
         for (std::size_t i = 0; i < pyramid.size(); ++i) CHECK(std::abs(pyramid.level(i)(w).x - value) <= rounding);
-        for (const T solid_angle : {T(0), T(1e-6), T(0.01), T(1), T(13), T(1e9)}) CHECK(std::abs(pyramid(w, solid_angle).x - value) <= rounding);
+        for (const T solid_angle : {T(0), T(1e-6), T(0.01), T(1), T(13), T(1e9)})
+            CHECK(std::abs(pyramid(w, solid_angle).x - value) <= rounding);
         CHECK(std::abs(lobe::irradiance(map, w).x - value) <= rounding);
         CHECK(std::abs(lobe::irradiance(map, w, 16).x - value) <= rounding);
         for (const T a : {T(0.01), T(1)}) {
@@ -368,9 +379,17 @@ TEMPLATE_TEST_CASE("a NaN in a direction is a NaN, and no other input is undefin
             CHECK(std::isnan(lobe::prefiltered_radiance(pyramid, w, lobe::alpha{T(0.5)}, 4).x));
         }
         const T huge = (std::numeric_limits<T>::max)(), tiny = std::numeric_limits<T>::denorm_min();
-        for (const vec3<T>& w : {vec3<T>{0, 0, 0}, {infinity, 0, 0}, {0, infinity, 0}, {0, -infinity, 0}, {-infinity, 0, infinity},
-                                 {infinity, infinity, infinity}, {huge, huge, huge}, {tiny, tiny, -tiny}, {0, 1, tiny}}) {
-            for (const T x : {map(w).x, pyramid(w, T(0)).x, pyramid(w, T(1)).x, pyramid(w, infinity).x}) CHECK((std::isnan(x) || inside(x)));
+        for (const vec3<T>& w : {vec3<T>{0, 0, 0},
+                                 {infinity, 0, 0},
+                                 {0, infinity, 0},
+                                 {0, -infinity, 0},
+                                 {-infinity, 0, infinity},
+                                 {infinity, infinity, infinity},
+                                 {huge, huge, huge},
+                                 {tiny, tiny, -tiny},
+                                 {0, 1, tiny}}) {
+            for (const T x : {map(w).x, pyramid(w, T(0)).x, pyramid(w, T(1)).x, pyramid(w, infinity).x})
+                CHECK((std::isnan(x) || inside(x)));
             (void)lobe::irradiance(map, w);
             (void)lobe::prefiltered_radiance(pyramid, w, lobe::alpha{T(0.5)}, 4);
         }

@@ -30,14 +30,15 @@ auto irradiance(const Environment& environment, const vec3<T>& n, std::uint32_t 
     return S(total * (W(1) / W(count)));
 }
 
-/// The same from every texel of a lat-long image, with its solid angle: no sun is missed. Texels of images coarser than 128 x 64 are cut into
-/// parts until the parts are as small. Cost: width x height, at least 8192 parts, a normal.
-/// Error: that of the midpoint rule over the parts, 2e-4 of the brightest texel; none for a constant image.
+/// The same from every texel of a lat-long image, with its solid angle: no sun is missed. Texels of images coarser than 128 x 64 are cut
+/// into parts until the parts are as small. Cost: width x height, at least 8192 parts, a normal.
+/// Error: of the midpoint rule over the parts, 2e-4 of the brightest texel; none for a constant image.
 template <scalar T>
 vec3<T> irradiance(const latlong<T>& environment, const vec3<T>& n) {
     using W = detail::wide_t<T>;
     const int width = environment.width, across = (128 + width - 1) / width, down = (64 + environment.height - 1) / environment.height;
-    std::vector<vec3<T>> equator;  // the directions of the first parts of all columns, of the second ones, ...; those of a row are these, tilted by v
+    // The directions of the first parts of all columns, then of the second ones, ...; those of a row are these, tilted by v.
+    std::vector<vec3<T>> equator;
     for (int part = 0; part < across; ++part)
         for (int column = 0; column < width; ++column)
             equator.push_back(latlong_direction(vec2<T>{(T(column * across + part) + T(0.5)) / T(width * across), T(0.5)}));
