@@ -39,7 +39,7 @@ private:
     template <class Mask>
     constexpr S pi_f(const vec3<T>& v, const vec3<T>& l, const Mask& lit, const T& factor) const {
         const T s = detail::horizontal_dot(v, l);
-        return rho * select(lit, (A + quotient(B * larger(s, T(0)), larger(v.z, l.z))) * factor, T(0));
+        return rho * select(lit, (A + quotient(lit, B * larger(s, T(0)), larger(v.z, l.z))) * factor, T(0));
     }
 
     S rho;
@@ -61,8 +61,8 @@ struct fujii {
     }
 
     constexpr T operator()(const vec3<T>& v, const vec3<T>& l) const {
-        const T s = horizontal_dot(v, l);
-        return larger(A + quotient(B * s, select(s > T(0), larger(v.z, l.z), T(1))), T(0));  // never negative by rounding, where A + B s vanishes
+        const T s = horizontal_dot(v, l), c = larger(larger(v.z, l.z), horizon<T>());  // no 1/0 below it, where nothing is asked for
+        return larger(A + B * s / select(s > T(0), c, T(1)), T(0));  // never negative by rounding, where A + B s vanishes
     }
 
     constexpr T average_albedo() const { return A + B * c2(); }
