@@ -23,8 +23,8 @@ public:
     using exact_vectors::f, exact_vectors::f_cos, exact_vectors::pdf, exact_vectors::evaluate, exact_vectors::sample;
     static constexpr bool isotropic = true;
 
-    constexpr S f(const vec3<T>& v, const vec3<T>& l) const { return model().pi_f(v, l, above(v, l), inv_pi<T>()); }
-    constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const { return model().pi_f(v, l, above(v, l), l.z * inv_pi<T>()); }
+    constexpr S f(const vec3<T>& v, const vec3<T>& l) const { return model().pi_f(v, l, above_horizon(v, l), inv_pi<T>()); }
+    constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const { return model().pi_f(v, l, above_horizon(v, l), l.z * inv_pi<T>()); }
     // (Inlined by force: compilers would call what they meet twice, and a loop with a call does not vectorise.)
     [[gnu::always_inline]] constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const { return pdf(v, l, Sampler{}.share(model(), v, l)); }
     [[gnu::always_inline]] constexpr evaluation<S, T> evaluate(const vec3<T>& v, const vec3<T>& l) const {
@@ -33,21 +33,21 @@ public:
 
     /// u in [0,1)^2. Fails only where v is below the horizon.
     [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const {
-        const vec3<T> l = Sampler{}.sample(model(), v, u);
-        const auto lit = above(v, l);
+        using std::abs;
+        const vec3<T> l = Sampler{}.sample(model(), vec3<T>{v.x, v.y, abs(v.z)}, u);  // seen from below its mirror image, which is not taken
+        const auto lit = above_horizon(v, l);
         const T share = Sampler{}.share(model(), v, l);
-        return {select(lit, l, vec3<T>{T(0), T(0), T(1)}), model().pi_f(v, l, lit, quotient(T(1), share)), pdf(v, l, share)};
+        return {select(lit, l, vec3<T>{T(0), T(0), T(1)}), model().pi_f(v, l, lit, quotient(lit, T(1), share)), pdf(v, l, share)};
     }
 
     /// pi f(v, n): what a composition shares its samples by.
-    constexpr S albedo_estimate(const vec3<T>& v) const { return model().pi_f(v, {T(0), T(0), T(1)}, v.z > T(0), T(1)); }
+    constexpr S albedo_estimate(const vec3<T>& v) const { return model().pi_f(v, {T(0), T(0), T(1)}, v.z > horizon<T>(), T(1)); }
 
     constexpr vec2<T> width() const { return {T(1), T(1)}; }
 
 private:
-    static constexpr auto above(const vec3<T>& v, const vec3<T>& l) { return v.z > T(0) && l.z > T(0); }
     static constexpr T pdf(const vec3<T>& v, const vec3<T>& l, const T& share) {
-        return select(above(v, l), l.z * inv_pi<T>() * share, T(0));
+        return select(above_horizon(v, l), l.z * inv_pi<T>() * share, T(0));
     }
     constexpr const Model& model() const { return static_cast<const Model&>(*this); }
 

@@ -54,25 +54,25 @@ struct backscatter_sampling {
     [[gnu::always_inline]] constexpr vec3<T> sample(const Model& model, const vec3<T>& v, const vec2<T>& u) const {
         using std::sqrt;
         const auto [tilt, peak] = model.backscattered();
-        const T sine2 = v.x * v.x + v.y * v.y, sine = sqrt(sine2), depth = quotient(sine2, T(1) + v.z);  // depth = 1 - cos(theta_v)
+        const T sine2 = v.x * v.x + v.y * v.y, sine = sqrt(sine2), depth = sine2 / (T(1) + v.z);  // depth = 1 - cos(theta_v)
         const T extra = extra_mass(peak, sine, depth), p = extra / (T(1) + extra);
         const auto second = u.x < p;
         const T first = select(second, T(0), p), last = select(second, p, T(1));
         const T x = (u.x - first) / (last - first), rest = (last - u.x) / (last - first);  // rest = 1 - x > 0
         const vec3<T> l = select(second, peaked(v.z, depth, {x, u.y}, rest), tilted(tilt * sine, {x, u.y}, rest));
         const auto leaning = sine2 > T((std::numeric_limits<lane_t<T>>::min)());  // below it squares have lost their digits
-        const T c = select(leaning, quotient(v.x, sine), T(1)), s = select(leaning, quotient(v.y, sine), T(0));
+        const T c = select(leaning, quotient(leaning, v.x, sine), T(1)), s = quotient(leaning, v.y, sine);
         return {c * l.x - s * l.y, s * l.x + c * l.y, l.z};
     }
 
     template <class Model, scalar T>
     [[gnu::always_inline]] constexpr T share(const Model& model, const vec3<T>& v, const vec3<T>& l) const {
-        using std::sqrt;
+        using std::abs, std::sqrt;
         const auto [tilt, peak] = model.backscattered();
         const T sine2 = v.x * v.x + v.y * v.y, s = v.x * l.x + v.y * l.y, sine_l = sqrt(l.x * l.x + l.y * l.y);
-        const T back = select(s > T(0) && sine_l > T(0), quotient(s, sine_l), T(0));
-        const T added = tilt * s + peak * back * (quotient(T(1), larger(v.z, l.z)) - T(1));
-        return (T(1) + added) / (T(1) + extra_mass(peak, sqrt(sine2), quotient(sine2, T(1) + v.z)));
+        const T back = quotient(s > T(0) && sine_l > T(0), s, sine_l), t = larger(larger(v.z, l.z), horizon<T>());
+        const T added = tilt * s + peak * back * (T(1) / t - T(1));
+        return (T(1) + added) / (T(1) + extra_mass(peak, sqrt(sine2), sine2 / (T(1) + abs(v.z))));
     }
 
 private:

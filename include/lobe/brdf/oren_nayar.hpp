@@ -43,7 +43,7 @@ private:
     template <class Mask>
     constexpr S pi_f(const vec3<T>& v, const vec3<T>& l, const Mask& lit, const T& factor) const {
         const T s = detail::horizontal_dot(v, l);
-        return rho * select(lit, (A + quotient(B * larger(s, T(0)), larger(v.z, l.z))) * factor, T(0));
+        return rho * select(lit, (A + quotient(lit, B * larger(s, T(0)), larger(v.z, l.z))) * factor, T(0));
     }
 
     S rho;
@@ -65,9 +65,9 @@ struct fujii {
     }
 
     constexpr T operator()(const vec3<T>& v, const vec3<T>& l) const {
-        const T s = horizontal_dot(v, l);
+        const T s = horizontal_dot(v, l), t = larger(larger(v.z, l.z), horizon<T>());  // no 1/0 below it, where nothing is asked for
         // never negative by rounding, where 1 + r s vanishes
-        return A * larger(T(1) + quotient(r * s, select(s > T(0), larger(v.z, l.z), T(1))), T(0));
+        return A * larger(T(1) + r * s / select(s > T(0), t, T(1)), T(0));
     }
 
     constexpr T B() const { return r * A; }

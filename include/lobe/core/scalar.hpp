@@ -25,16 +25,17 @@ concept scalar = !std::integral<T> && requires(const T a, const T b) {
 };
 
 /// `mask ? a : b` as a function: packs bring their own overload, vectors have one in vector.hpp.
-/// Both sides are evaluated, so the one that is not taken may be infinite or NaN.
+/// Both sides are evaluated, and debug builds that trap NaNs see the one that is not taken as well: no 0/0 there (-> `quotient`).
 template <scalar T>
 constexpr T select(bool mask, const T& a, const T& b) {
     return mask ? a : b;
 }
 
-/// a/b on a side of a `select` that is not taken where b is 0: infinite or NaN there, as IEEE has it, which is nothing to report.
-template <scalar T>
-[[gnu::always_inline]] __attribute__((no_sanitize("float-divide-by-zero"))) constexpr T quotient(const T& a, const T& b) {
-    return a / b;
+/// a/b where the mask holds, and 0 where it does not: for a b that may be 0 there. Neither 0/0 nor 1/0 is computed. (Compilers turn two
+/// selects side by side into one, and the guard of b costs nothing in a loop.)
+template <class Mask, scalar T>
+[[gnu::always_inline]] constexpr T quotient(const Mask& mask, const T& a, const T& b) {
+    return select(mask, a / select(mask, b, T(1)), T(0));
 }
 
 #ifdef __GNUC__
@@ -99,6 +100,13 @@ constexpr T smallest() {
 /// The number in one lane of a pack, or in one component of a vector: float for xsimd::batch<float> and glm::vec3.
 template <class T>
 using lane_t = typename detail::lane<T>::type;
+
+/// Above the horizon are cosines of more than this, 2^-60 in float and 2^-500 in double. Below it squares underflow: that of v + l, where l
+/// nears -v, and the product of two cosines.
+template <scalar T>
+constexpr T horizon() {
+    return T(static_cast<lane_t<T>>(std::same_as<lane_t<T>, float> ? 0x1p-60 : 0x1p-500));
+}
 
 /// pi to the precision of T; types that can be read from a string (multiprecision) get 100 digits, others
 /// those of double.

@@ -8,6 +8,7 @@
 #include <lobe/sampling/warp.hpp>
 
 #include <cassert>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -55,8 +56,8 @@ vec3<T> irradiance(const latlong<T>& environment, const vec3<T>& n) {
                 weights += W(weight);
             }
     }
-    // not by pi: a constant environment comes back as it is
-    return vec3<T>(vec3<W>{quotient(total.x, weights), quotient(total.y, weights), quotient(total.z, weights)});
+    if (!(weights > W(0))) return vec3<T>(std::numeric_limits<T>::quiet_NaN());  // no direction is above n: it is one of NaNs
+    return vec3<T>(total / weights);  // not by pi: a constant environment comes back as it is
 }
 
 }  // namespace lobe

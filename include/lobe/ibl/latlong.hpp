@@ -30,7 +30,7 @@ struct latlong_place {
         using W = wide_t<T>;
         const T height = nadir ? -direction.y : direction.y;
         sine = sqrt(direction.x * direction.x + direction.z * direction.z);
-        cotangent = quotient(height, sine);
+        cotangent = quotient(sine > T(0), height, sine);
         u = W(0.5) + W(T(atan2(direction.z, direction.x))) * (inv_pi<W>() / W(2));
         v = W(T(atan2(sine, height))) * inv_pi<W>();
     }
@@ -47,7 +47,7 @@ constexpr vec3<T> mix(const vec3<T>& a, const vec3<T>& b, const T& t) {
 template <scalar T>
 T latlong_height2(const T& solid_angle, const T& sine, int width) {
     const T column = sine * (T(2) * pi<T>() / T(width));
-    return quotient(solid_angle, column * column);
+    return solid_angle / larger(column * column, smallest<T>());
 }
 
 /// How many columns of a row to average, of this square, from 1 to all.

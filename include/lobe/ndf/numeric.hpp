@@ -33,7 +33,7 @@ constexpr T largest() {
 
 /// The cosine that stands for zero: its square times the square of a width (1e-4 in float) is still a number.
 template <scalar T>
-constexpr T horizon() {
+constexpr T zero_cosine() {
     if constexpr (std::same_as<lane_t<T>, float>)
         return T(0x1p-44f);
     else

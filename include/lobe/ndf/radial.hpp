@@ -116,7 +116,7 @@ template <class Shape, single T>
 constexpr vec3<T> sample_visible_by_quadrature(const Shape& shape, const vec3<T>& v, const vec2<T>& u) {
     using W = at_least_double<T>;
     using std::sqrt;
-    const T cotangent = smaller(quotient(T(larger(v.z, -v.z)), T(sqrt(v.x * v.x + v.y * v.y))), largest<T>());
+    const T cotangent = smaller(larger(v.z, -v.z) / larger(T(sqrt(v.x * v.x + v.y * v.y)), smallest<T>()), largest<T>());
     const vec3<W> wide = normalize(vec3<W>{W(v.x), W(v.y), W(v.z)});
     const vec3<W> m = normalize(sample_visible_radial(shape.template as<W>(), W(shape.back(cotangent)), wide, {W(u.x), W(u.y)}));
     return {T(m.x), T(m.y), T(m.z)};
@@ -134,9 +134,11 @@ public:
     /// so that the horizon gets the limit from above.
     template <class Width>
     constexpr T D(const vec3<T>& m, const Width& width) const {
-        const T z = larger(m.z, larger(larger(m.x, -m.x), larger(m.y, -m.y)) * detail::horizon<T>());
+        using std::abs;
+        const T z = larger(abs(m.z), larger(abs(m.x), abs(m.y)) * detail::zero_cosine<T>());
         const vec3<T> s = width.unstretch(vec3<T>{m.x, m.y, z});
-        return shape.D(quotient(s.x * s.x + s.y * s.y, s.z * s.z), quotient(m.x * m.x + m.y * m.y, z * z) + T(1)) / (width.x() * width.y());
+        const auto tan2 = [](const vec3<T>& w, const T& cosine) { return (w.x * w.x + w.y * w.y) / larger(cosine * cosine, detail::smallest<T>()); };
+        return shape.D(smaller(tan2(s, s.z), detail::largest<T>() / T(4)), tan2(m, z) + T(1)) / (width.x() * width.y());
     }
 
     /// max(0, z) + back faces.
@@ -174,7 +176,7 @@ public:
     }
 
 private:
-    static constexpr T cotangent(const T& z, const T& s) { return smaller(quotient(larger(z, -z), s), detail::largest<T>()); }
+    static constexpr T cotangent(const T& z, const T& s) { return smaller(larger(z, -z) / larger(s, detail::smallest<T>()), detail::largest<T>()); }
 
     [[no_unique_address]] Shape shape;
 

@@ -25,7 +25,7 @@ constexpr T log1p_ratio(const T& x) {
 template <single T, class Numerator, class Denominator>
 constexpr T continued_fraction(const Numerator& a, const Denominator& b) {
     using std::abs;
-    const T tiny = horizon<T>();  // stands for a zero that turns up by chance
+    const T tiny = zero_cosine<T>();  // stands for a zero that turns up by chance
     T value = b(1), c = value, d(0);
     for (int n = 2; n < 20000; ++n) {
         d = b(n) + a(n) * d;

@@ -27,7 +27,7 @@ public:
         using std::exp, std::log1p;
         const T x = tau / k, ratio = sec2 / (T(1) + x);
         const T above = ratio * ratio * exp((T(1) - k) * log1p(x)) * inv_pi<T>();
-        const T flat = detail::horizon<T>() * T(2);
+        const T flat = detail::zero_cosine<T>() * T(2);
         return select(sec2 * flat * flat < T(1), above, select(k > T(1), T(0), above));
     }
 
