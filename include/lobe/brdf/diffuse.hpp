@@ -33,8 +33,7 @@ public:
 
     /// u in [0,1)^2. Fails only where v is below the horizon.
     [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const {
-        using std::abs;
-        const vec3<T> l = Sampler{}.sample(model(), vec3<T>{v.x, v.y, abs(v.z)}, u);  // seen from below its mirror image, which is not taken
+        const vec3<T> l = Sampler{}.sample(model(), vec3<T>{v.x, v.y, absolute(v.z)}, u);  // seen from below its mirror image, which is not taken
         const auto lit = above_horizon(v, l);
         const T share = Sampler{}.share(model(), v, l);
         return {select(lit, l, vec3<T>{T(0), T(0), T(1)}), model().pi_f(v, l, lit, quotient(lit, T(1), share)), pdf(v, l, share)};

@@ -67,12 +67,12 @@ struct backscatter_sampling {
 
     template <class Model, scalar T>
     [[gnu::always_inline]] constexpr T share(const Model& model, const vec3<T>& v, const vec3<T>& l) const {
-        using std::abs, std::sqrt;
+        using std::sqrt;
         const auto [tilt, peak] = model.backscattered();
         const T sine2 = v.x * v.x + v.y * v.y, s = v.x * l.x + v.y * l.y, sine_l = sqrt(l.x * l.x + l.y * l.y);
         const T back = quotient(s > T(0) && sine_l > T(0), s, sine_l), t = larger(larger(v.z, l.z), horizon<T>());
         const T added = tilt * s + peak * back * (T(1) / t - T(1));
-        return (T(1) + added) / (T(1) + extra_mass(peak, sqrt(sine2), sine2 / (T(1) + abs(v.z))));
+        return (T(1) + added) / (T(1) + extra_mass(peak, sqrt(sine2), sine2 / (T(1) + absolute(v.z))));
     }
 
 private:

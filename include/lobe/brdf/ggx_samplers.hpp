@@ -44,7 +44,7 @@ constexpr T cap_cut(const vec2<T>& width, const vec3<T>& v) {
 struct visible_heitz2018 {
     template <scalar T, class Width>
     [[gnu::always_inline]] constexpr vec3<T> sample(const ggx<T, Width>& ndf, const vec3<T>& v, const vec2<T>& u) const {
-        using std::abs, std::sqrt;
+        using std::sqrt;
         const vec2<T> a = ndf.width();
         const vec3<T> w = detail::stretched_view(a, v);
         // the disk's axes are (-y, x, 0) and (-z x, -z y, sine), where (x, y) is the azimuth of w; any will do at the normal
@@ -56,13 +56,13 @@ struct visible_heitz2018 {
         const T r = sqrt(u.x), rest = T(1) - u.x;
         const T t1 = r * cos_phi, t2 = r * sin_phi;
         const T q = sqrt(rest + t2 * t2);  // sqrt(1 - t1^2): t2 is in [-q, q]
-        const T outer = q + abs(t2), inner = rest / outer;  // 0/0 at u.x = 1 alone
+        const T outer = q + absolute(t2), inner = rest / outer;  // 0/0 at u.x = 1 alone
         const T below = select(t2 < T(0), inner, outer), above = select(t2 < T(0), outer, inner);  // q + t2, q - t2
 
         const T s = (T(1) + w.z) / T(2), t = sine2 / (T(2) * (T(1) + w.z));  // t = 1 - s
         const T p2 = s * below - q * w.z;                                    // t2, squashed from [-q, q] to [-q w.z, q]
         const T up = sqrt(s * (s * rest + T(2) * t * q * above));            // sqrt(1 - t1^2 - p2^2)
-        const T sum = up * w.z + abs(p2) * sine;
+        const T sum = up * w.z + absolute(p2) * sine;
         const T z = select(p2 < T(0), s * below * (q * w.z - p2) / sum, sum);  // up w.z + p2 sine
         return detail::stretched_normal(a, up * w.x - t1 * y - p2 * w.z * x, up * w.y + t1 * x - p2 * w.z * y, z);
     }

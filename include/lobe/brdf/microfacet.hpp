@@ -69,13 +69,12 @@ public:
     [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const
         requires normal_sampler<Sampler, N>
     {
-        using std::abs;
-        const vec3<T> w{v.x, v.y, abs(v.z)};  // from straight below no normal is visible
+        const vec3<T> w{v.x, v.y, absolute(v.z)};  // from straight below no normal is visible
         const vec3<T> m = sampler.sample(ndf, w, u);
         const vec3<T> l = reflect(w, m);
         const auto above = above_horizon(v, l);
         const T v_m = dot(w, m), sv = detail::area_above(ndf, w);
-        const T area = sampler.area(ndf, w, v_m, m.z, sv), density = ndf.D(vec3<T>{m.x, m.y, abs(m.z)}) / (T(4) * area);
+        const T area = sampler.area(ndf, w, v_m, m.z, sv), density = ndf.D(vec3<T>{m.x, m.y, absolute(m.z)}) / (T(4) * area);
         const auto valid = above && density > T(0);  // a Gaussian tail may underflow
         return {select(valid, l, vec3<T>{T(0), T(0), T(1)}),
                 fresnel_(select(valid, smaller(v_m, T(1)), T(1))) * quotient(valid, l.z * area, shadow.denominator(ndf, w, l, sv)), select(valid, density, T(0))};
@@ -91,12 +90,8 @@ private:
     struct half {
         vec3<T> s;
         T v_m;  // v.m = |s|/2, which rounding may take above 1
-        constexpr explicit half(const vec3<T>& sum) : s{sum.x, sum.y, magnitude(sum.z)}, v_m(smaller(length(sum) / T(2), T(1))) {}
+        constexpr explicit half(const vec3<T>& sum) : s{sum.x, sum.y, absolute(sum.z)}, v_m(smaller(length(sum) / T(2), T(1))) {}
         constexpr T m_z() const { return quotient(v_m > T(0), s.z, T(2) * v_m); }
-        static constexpr T magnitude(const T& x) {
-            using std::abs;
-            return abs(x);
-        }
     };
 
     [[no_unique_address]] N ndf;

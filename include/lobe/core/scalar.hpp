@@ -64,6 +64,16 @@ constexpr T smaller(const T& a, const T& b) {
     return select(b < a, b, a);
 }
 
+/// |x|, by `abs` where T has one.
+template <scalar T>
+constexpr T absolute(const T& x) {
+    using std::abs;
+    if constexpr (requires { { abs(x) } -> std::same_as<T>; })
+        return abs(x);
+    else
+        return select(x < T(0), -x, x);
+}
+
 namespace detail {
 
 /// Neither infinite nor a NaN, in each lane: inf - inf is a NaN, which is not below 1.

@@ -68,7 +68,7 @@ constexpr value_and_slope<T> back_by_quadrature(const Shape& shape, const T& a) 
 /// at grazing angles, none from above.
 template <class Shape, single T>
 constexpr vec3<T> sample_visible_radial(const Shape& shape, const T& back, const vec3<T>& v, const vec2<T>& u) {
-    using std::abs, std::asinh, std::atan2, std::cos, std::log, std::sin, std::sinh, std::sqrt;
+    using std::asinh, std::atan2, std::cos, std::log, std::sin, std::sinh, std::sqrt;
     const T z = v.z, s = sqrt(v.x * v.x + v.y * v.y), cot = s > T(0) ? z / s : T(0), a = larger(cot, -cot);
     const T sigma = larger(z, T(0)) + s * back;
     const T steeper = s > T(0) ? shape.survival(a * a) : T(0), gentle = larger(z, T(0)) * (T(1) - steeper);
@@ -88,7 +88,7 @@ constexpr vec3<T> sample_visible_radial(const Shape& shape, const T& back, const
         T known_x(-1), known_share(0), known_slope(0);
         const auto excess = [&](const T& x) {
             // a few short steps from where the share is known cost less than the whole tail
-            const T steps = abs(x - known_x) * larger(T(1), known_slope) * T(4);
+            const T steps = absolute(x - known_x) * larger(T(1), known_slope) * T(4);
             const T share = known_x >= T(0) && steps < T(9) ? known_share - short_integral(known_x, x, static_cast<int>(steps) + 1, density)
                                                             : average_over_steep(shape, a, T(sinh(x)), visible);
             if (!(share > T(0))) return value_and_slope<T>{T(1), T(1)};
@@ -134,8 +134,7 @@ public:
     /// so that the horizon gets the limit from above.
     template <class Width>
     constexpr T D(const vec3<T>& m, const Width& width) const {
-        using std::abs;
-        const T z = larger(abs(m.z), larger(abs(m.x), abs(m.y)) * detail::zero_cosine<T>());
+        const T z = larger(absolute(m.z), larger(absolute(m.x), absolute(m.y)) * detail::zero_cosine<T>());
         const vec3<T> s = width.unstretch(vec3<T>{m.x, m.y, z});
         const auto tan2 = [](const vec3<T>& w, const T& cosine) { return (w.x * w.x + w.y * w.y) / larger(cosine * cosine, detail::smallest<T>()); };
         return shape.D(smaller(tan2(s, s.z), detail::largest<T>() / T(4)), tan2(m, z) + T(1)) / (width.x() * width.y());

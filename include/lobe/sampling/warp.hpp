@@ -69,12 +69,12 @@ constexpr vec2<T> square_to_uniform_disk_concentric(const vec2<T>& u) {
 
 template <scalar T>
 constexpr vec2<T> uniform_disk_concentric_to_square(const vec2<T>& p) {
-    using std::abs, std::atan2, std::sqrt;
+    using std::atan2, std::sqrt;
     const T r = sqrt(dot(p, p));
-    const auto wide = abs(p.x) > abs(p.y);
+    const auto wide = absolute(p.x) > absolute(p.y);
     const T sign = select(select(wide, p.x, p.y) < T(0), T(-1), T(1));
     const T major = sign * r;
-    const T angle = atan2(sign * select(wide, p.y, p.x), abs(select(wide, p.x, p.y)));  // in [-pi/4, pi/4]
+    const T angle = atan2(sign * select(wide, p.y, p.x), absolute(select(wide, p.x, p.y)));  // in [-pi/4, pi/4]
     const T minor = major * angle * (T(4) * inv_pi<T>());
     return {(select(wide, major, minor) + T(1)) / T(2), (select(wide, minor, major) + T(1)) / T(2)};
 }
