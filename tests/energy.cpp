@@ -227,6 +227,20 @@ TEST_CASE("fdez_aguera: white furnace, and coloured albedo against the random wa
             const auto black = lobe::fdez_aguera{}(t, 0.04f, 0.0f), metal = lobe::fdez_aguera{}(t, 0.04f);
             CHECK(black.irradiance == metal.irradiance);
         }
+    // F90: the first bounce is the albedo of schlick{F0, F90}; the others are the geometric series, summed here term by term
+    for (const double mu : {0.1, 0.7})
+        for (const double F90 : {0.0, 0.3, 0.8}) {
+            const double F0 = 0.2;
+            const auto t = lobe::dfg_exact(smith_correlated{}, mu, alpha{0.6});
+            const auto w = lobe::fdez_aguera{F90}(t, F0);
+            CHECK(std::abs(w.radiance - lobe::directional_albedo(lobe::microfacet{ggx{alpha{0.6}}, smith_correlated{}, schlick{F0, F90}}, mu)) < 2e-6);
+            const double again = schlick{F0, F90}.average() * (1 - t.albedo());
+            double later = 0;
+            for (double bounce = w.radiance * again; bounce > 1e-17; bounce *= again) later += bounce;
+            CHECK(std::abs(w.irradiance - later) < 1e-15);
+            CHECK(std::abs(lobe::fdez_aguera{F90}(t, F0, 1.0).irradiance + w.radiance - 1) < 1e-15);
+        }
+    static_assert(std::is_empty_v<decltype(lobe::fdez_aguera{})>);
     // the largest deviation of the model itself, measured independently on this table
     double worst[4] = {};
     for (const auto& row : reference_table("multiscatter_random_walk.csv")) {

@@ -50,19 +50,20 @@ struct visible_heitz2018 {
         // the disk's axes are (-y, x, 0) and (-z x, -z y, sine), where (x, y) is the azimuth of w; any will do at the normal
         const T sine2 = w.x * w.x + w.y * w.y, sine = sqrt(sine2);
         const auto tilted = sine2 > T((std::numeric_limits<lane_t<T>>::min)());  // below it squares have lost their digits
-        const T x = select(tilted, quotient(w.x, sine), T(0)), y = select(tilted, quotient(w.y, sine), T(-1));
+        const T x = quotient(tilted, w.x, sine), y = select(tilted, quotient(tilted, w.y, sine), T(-1));
 
         const auto [sin_phi, cos_phi] = sincos_2pi(u.y);
         const T r = sqrt(u.x), rest = T(1) - u.x;
         const T t1 = r * cos_phi, t2 = r * sin_phi;
         const T q = sqrt(rest + t2 * t2);  // sqrt(1 - t1^2): t2 is in [-q, q]
-        const T outer = q + larger(t2, -t2), inner = quotient(rest, outer);  // 0/0 at u.x = 1 alone
+        const T outer = q + absolute(t2), inner = rest / outer;  // 0/0 at u.x = 1 alone
         const T below = select(t2 < T(0), inner, outer), above = select(t2 < T(0), outer, inner);  // q + t2, q - t2
 
-        const T s = (T(1) + w.z) / T(2), t = quotient(sine2, T(2) * (T(1) + w.z));  // t = 1 - s
+        const T s = (T(1) + w.z) / T(2), t = sine2 / (T(2) * (T(1) + w.z));  // t = 1 - s
         const T p2 = s * below - q * w.z;                                    // t2, squashed from [-q, q] to [-q w.z, q]
         const T up = sqrt(s * (s * rest + T(2) * t * q * above));            // sqrt(1 - t1^2 - p2^2)
-        const T z = select(p2 < T(0), quotient(s * below * (q * w.z - p2), up * w.z - p2 * sine), up * w.z + p2 * sine);
+        const T sum = up * w.z + absolute(p2) * sine;
+        const T z = select(p2 < T(0), s * below * (q * w.z - p2) / sum, sum);  // up w.z + p2 sine
         return detail::stretched_normal(a, up * w.x - t1 * y - p2 * w.z * x, up * w.y + t1 * x - p2 * w.z * y, z);
     }
     template <scalar T, class Width>
@@ -86,7 +87,7 @@ struct visible_bounded_caps {
         const vec3<T> w = detail::stretched_view(a, v);
         const T cut = detail::cap_cut(a, v) * w.z;                     // V.z - b, where b = k V.z
         const T above = T(1) + (w.z - cut);                            // 1 + b
-        const T below = quotient(w.x * w.x + w.y * w.y, T(1) + w.z) + cut;  // 1 - b
+        const T below = (w.x * w.x + w.y * w.y) / (T(1) + w.z) + cut;  // 1 - b
         const T z = (T(1) - u.x) * above;                              // of the point on the cap: z - b, from its edge up
         const T r = sqrt(u.x * above * (z + below));
         const auto [s, c] = sincos_2pi(u.y);

@@ -236,7 +236,7 @@ private:
         const auto drawn = chosen_pdf > T(0) && dot(v, v) > T(0);
         const auto e = evaluate(q, select(drawn, v, n), select(drawn, l, n), every_lobe);
         const auto valid = drawn && e.pdf > T(0);
-        return {select(valid, l, n), e.f_cos * select(valid, quotient(T(1), e.pdf), T(0)), select(valid, e.pdf, T(0))};
+        return {select(valid, l, n), e.f_cos * quotient(valid, T(1), e.pdf), select(valid, e.pdf, T(0))};
     }
 
     std::tuple<First, Rest...> lobes;

@@ -17,7 +17,7 @@ struct v_cavity : masking_functions<v_cavity> {
     template <distribution N, class T = typename N::scalar>
     constexpr T denominator(const N&, const vec3<T>& v, const vec3<T>& l, const T&) const {
         const vec3<T> s = v + l;
-        return larger(v.z * l.z, quotient(larger(v.z, l.z), s.z) * dot(s, s) / T(4));
+        return larger(v.z * l.z, quotient(s.z > T(0), larger(v.z, l.z), s.z) * dot(s, s) / T(4));
     }
 
     /// What v sees of the facets with unit normal m: min(1, 2 (n.m)(n.v)/(v.m)). It depends on m, as Smith's does not.

@@ -1,8 +1,11 @@
 // What every formula needs of a number: the scalar concept, select and all, pi, and the sine and cosine of a turn.
 #pragma once
 
+#include <lobe/core/cpp20.hpp>
+
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <type_traits>
 
 namespace lobe {
@@ -22,17 +25,31 @@ concept scalar = !std::integral<T> && requires(const T a, const T b) {
 };
 
 /// `mask ? a : b` as a function: packs bring their own overload, vectors have one in vector.hpp.
-/// Both sides are evaluated, so the one that is not taken may be infinite or NaN.
+/// Both sides are evaluated, and debug builds that trap NaNs see the one that is not taken as well: no 0/0 there (-> `quotient`).
 template <scalar T>
 constexpr T select(bool mask, const T& a, const T& b) {
     return mask ? a : b;
 }
 
-/// a/b on a side of a `select` that is not taken where b is 0: infinite or NaN there, as IEEE has it, which is nothing to report.
-template <scalar T>
-[[gnu::always_inline]] __attribute__((no_sanitize("float-divide-by-zero"))) constexpr T quotient(const T& a, const T& b) {
-    return a / b;
+/// a/b where the mask holds, and 0 where it does not: for a b that may be 0 there. Neither 0/0 nor 1/0 is computed. (Compilers turn two
+/// selects side by side into one, and the guard of b costs nothing in a loop.)
+template <class Mask, scalar T>
+[[gnu::always_inline]] constexpr T quotient(const Mask& mask, const T& a, const T& b) {
+    return select(mask, a / select(mask, b, T(1)), T(0));
 }
+
+#ifdef __GNUC__
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wfloat-equal"
+#endif
+/// a == b in each lane, where exactly that is meant: the one place that compilers which warn of it have to be told so.
+template <scalar T>
+constexpr auto equal(const T& a, const T& b) {
+    return a == b;
+}
+#ifdef __GNUC__
+#pragma GCC diagnostic pop
+#endif
 
 /// Does a condition hold in every lane? One number has one lane.
 constexpr bool all(bool mask) { return mask; }
@@ -45,6 +62,16 @@ constexpr T larger(const T& a, const T& b) {
 template <scalar T>
 constexpr T smaller(const T& a, const T& b) {
     return select(b < a, b, a);
+}
+
+/// |x|, by `abs` where T has one.
+template <scalar T>
+constexpr T absolute(const T& x) {
+    using std::abs;
+    if constexpr (requires { { abs(x) } -> std::same_as<T>; })
+        return abs(x);
+    else
+        return select(x < T(0), -x, x);
 }
 
 namespace detail {
@@ -67,9 +94,29 @@ struct lane<T> {
 
 }  // namespace detail
 
+namespace detail {
+
+/// The smallest positive number in a lane of T that has all its digits; its reciprocal is finite.
+template <scalar T>
+constexpr T smallest() {
+    if constexpr (std::numeric_limits<typename lane<T>::type>::is_specialized)
+        return T((std::numeric_limits<typename lane<T>::type>::min)());
+    else
+        return T(1e-300);
+}
+
+}  // namespace detail
+
 /// The number in one lane of a pack, or in one component of a vector: float for xsimd::batch<float> and glm::vec3.
 template <class T>
 using lane_t = typename detail::lane<T>::type;
+
+/// Above the horizon are cosines of more than this, 2^-60 in float and 2^-500 in double. Below it squares underflow: that of v + l, where l
+/// nears -v, and the product of two cosines.
+template <scalar T>
+constexpr T horizon() {
+    return T(static_cast<lane_t<T>>(std::same_as<lane_t<T>, float> ? 0x1p-60 : 0x1p-500));
+}
 
 /// pi to the precision of T; types that can be read from a string (multiprecision) get 100 digits, others
 /// those of double.
@@ -135,10 +182,11 @@ template <scalar T>
             cosine = T(1) + t * q;
         }
         // a quarter turn maps (sin, cos) to (cos, -sin)
-        const auto odd = quarter == T(1) || quarter == T(3);
+        const auto one = equal(quarter, T(1)), two = equal(quarter, T(2)), three = equal(quarter, T(3));
+        const auto odd = one || three;
         const T s = select(odd, cosine, sine);
         const T c = select(odd, sine, cosine);
-        return {select(quarter == T(2) || quarter == T(3), -s, s), select(quarter == T(1) || quarter == T(2), -c, c)};
+        return {select(two || three, -s, s), select(one || two, -c, c)};
     }
 }
 

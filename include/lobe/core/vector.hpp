@@ -34,12 +34,11 @@ constexpr T length(const vec3<T>& a) {
     return sqrt(dot(a, a));
 }
 
-/// Domain: any vector whose squared length neither vanishes nor overflows. (Samplers ask it for the visible normals of a view from straight
-/// below, which has none, and do not take the answer.)
+/// Domain: any vector whose squared length neither vanishes nor overflows.
 template <scalar T>
 constexpr vec3<T> normalize(const vec3<T>& a) {
     const T s = length(a);
-    return {quotient(a.x, s), quotient(a.y, s), quotient(a.z, s)};
+    return {a.x / s, a.y / s, a.z / s};
 }
 
 /// The direction that `v` is mirrored to by a facet with unit normal `m`: 2 (v.m) m - v. Both point away from the surface.
@@ -52,6 +51,12 @@ constexpr vec3<T> reflect(const vec3<T>& v, const vec3<T>& m) {
 template <scalar T>
 constexpr vec3<T> half_vector(const vec3<T>& v, const vec3<T>& l) {
     return normalize(v + l);
+}
+
+/// Are both above the horizon?
+template <scalar T>
+constexpr auto above_horizon(const vec3<T>& v, const vec3<T>& l) {
+    return v.z > horizon<T>() && l.z > horizon<T>();
 }
 
 /// Component by component, which compilers vectorise, as they do not the choice between two whole vectors.

@@ -195,7 +195,7 @@ auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, 
     using std::cos, std::sin, std::sqrt;
 
     const gauss_legendre<W> rule(order);
-    const W wx(width.x), wy(width.y), vx(v.x), vy(v.y), vz(v.z);
+    const W wx = W(width.x), wy = W(width.y), vx = W(v.x), vy = W(v.y), vz = W(v.z);
     const W bx = wx * vx / vz, by = wy * vy / vz, b_max = sqrt(bx * bx + by * by);
     const W toward_x = b_max > W(0) ? bx / b_max : W(1), toward_y = b_max > W(0) ? by / b_max : W(0);  // azimuth of v, stretched
     const auto azimuths = azimuths_of(creases, vec3<W>{vx, vy, vz}, vec2<W>{wx, wy}, vec2<W>{toward_x, toward_y});

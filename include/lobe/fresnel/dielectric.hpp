@@ -71,10 +71,11 @@ private:
         using std::sqrt;
         const T d = n - T(1), e = d * d + T(2) * d, c2 = c * c, s2 = (T(1) - c) * (T(1) + c);
         const T g2 = e + c2;
-        const T g = sqrt(select(g2 > T(0), g2, T(1))), gc = g * c;
-        const T rs = quotient(e, e + T(2) * (c2 + gc));
+        const auto real = g2 > T(0);
+        const T g = sqrt(select(real, g2, T(1))), gc = g * c;
+        const T rs = quotient(real, e, e + T(2) * (c2 + gc));
         const T p = (gc - s2) / (gc + s2);
-        return select(g2 > T(0), rs * rs * (T(1) + p * p) / T(2), T(1));
+        return select(real, rs * rs * (T(1) + p * p) / T(2), T(1));
     }
 
     /// Walsh's equation has poles at n = 1 that cancel. Written in x = |n - 1|/(n + 1) they cancel by algebra, and what is
@@ -90,7 +91,8 @@ private:
         T series(0);  // for x < 1/2, where a term has 2 bits
         for (int k = detail::digits<T>() / 2 + 1; k >= 0; --k) series = T(1) / detail::constant<T>(2 * k + 3) + x2 * series;
         const T ln = log(n);
-        const T a = select(x2 < T(1) / T(4), series, quotient(select(inside, -ln, ln) / T(2) - x, x2 * x));
+        const auto far_from_1 = x2 > T(1) / T(4);
+        const T a = select(far_from_1, quotient(far_from_1, select(inside, -ln, ln) / T(2) - x, x2 * x), series);
         const T h = T(1) + x2, up = (T(1) + x) * (T(1) + x), down = (T(1) - x) * (T(1) - x);
         const T Q = T(7) + x * (T(44) + x2 * (T(-24) + x * (T(6) + x * (T(36) + x * (T(16) + x * (T(8) + x * T(3)))))));
         const T bracket = Q + T(3) * up * up * down * (T(1) + x2 * (T(6) + x2)) * a + T(24) * x * up * log(select(x > T(0), x, T(1)));

@@ -109,16 +109,20 @@ private:
 /// The angular falloff of a spot: 1 up to `inner`, 0 from `outer`, in between t^2, t = (cos - cos(outer))/(cos(inner) - cos(outer)).
 /// KHR_lights_punctual, "Inner and Outer Cone Angles" (its listing bends cones with cos(inner) - cos(outer) < 0.001; this does not).
 /// Differences of cosines are written as (1 - cos) = |a - w|^2/2 of unit vectors, which stays right for the narrowest beams.
-/// Angles from the axis in radians; precondition: 0 <= inner < outer <= pi/2.
+/// Angles from the axis in radians; precondition: 0 <= inner <= outer <= pi/2, where pi/2 as a float has it, 4e-8 above, is pi/2 for every
+/// T. Angles that are equal, or become so in T, make a hard edge: 1 within, 0 from `outer` on.
 template <scalar T>
 class cone {
 public:
     constexpr cone(const T& inner, const T& outer) {
         using std::sin;
-        assert(all(inner >= T(0)) && all(inner < outer) && all(outer <= pi<T>() / T(2)) && "cone: 0 <= inner < outer <= pi/2");
-        const T i = sin(inner / T(2)), o = sin(outer / T(2));
+        [[maybe_unused]] constexpr float rounding = 0x1p-23f;  // house: of a float, in which files hold angles
+        assert(all(inner >= T(0)) && all(inner <= outer) && all(outer <= pi<T>() / T(2) * (T(1) + T(rounding))) &&
+               "cone: 0 <= inner <= outer <= pi/2");
+        const T widest = pi<T>() / T(2), within = smaller(outer, widest);
+        const T i = sin(smaller(inner, within) / T(2)), o = sin(within / T(2));
         inside = T(2) * i * i;
-        inverse_width = T(1) / (T(2) * (o - i) * (o + i));
+        inverse_width = T(1) / larger(T(2) * (o - i) * (o + i), detail::smallest<T>());
         outside = T(2) * o * o;
     }
 

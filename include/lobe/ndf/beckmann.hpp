@@ -62,7 +62,7 @@ struct beckmann_shape {
     {
         using std::erfc, std::exp, std::sqrt;
         const T z = v.z, s = sqrt(v.x * v.x + v.y * v.y), root_pi = sqrt(pi<T>()), last(9);
-        const T top = z < last * s ? larger(quotient(z, s), -last) : last;
+        const T top = z < last * s ? larger(z / s, -last) : last;
         const auto visible_below = [&](const T& x) { return (z * erfc(-x) + s * exp(-x * x) / root_pi) / T(2); };
         const T wanted = u.x * visible_below(top);
         const T x = detail::root_of_increasing<T>(-last, top, smaller(T(0), top), [&](const T& at) {

@@ -14,8 +14,8 @@ struct ggx_profile {
     constexpr T projected_area(const vec3<T>& w) const {
         using std::sqrt;
         const T q = w.x * w.x + w.y * w.y;
-        const T S = sqrt(q + w.z * w.z);
-        return select(w.z < T(0), quotient(q, S - w.z), S + w.z) / T(2);
+        const T sum = sqrt(q + w.z * w.z) + absolute(w.z);
+        return select(w.z < T(0), q / sum, sum) / T(2);
     }
 
     /// The same where w is known to be above the horizon: no division.
@@ -28,8 +28,8 @@ struct ggx_profile {
     constexpr T lambda(const vec3<T>& w) const {
         using std::sqrt;
         const T q = w.x * w.x + w.y * w.y;
-        const T S = sqrt(q + w.z * w.z);
-        return select(w.z < T(0), S - w.z, quotient(q, S + w.z)) / (T(2) * w.z);
+        const T sum = sqrt(q + w.z * w.z) + absolute(w.z);
+        return select(w.z < T(0), sum, q / sum) / (T(2) * w.z);
     }
 
     /// Inverse CDF (Walter et al. 2007, eq. 35-36): the cosine hemisphere.
@@ -45,8 +45,8 @@ struct ggx_profile {
     /// sqrt(1 - z^2) is wrong by up to 17 times for small u.x in float.
     constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const {
         using std::sqrt;
-        const T sine2 = v.x * v.x + v.y * v.y;
-        const T height = select(v.z < T(0), quotient(sine2, T(1) - v.z), T(1) + v.z);  // 1 + v.z
+        const T sine2 = v.x * v.x + v.y * v.y, sum = T(1) + absolute(v.z);
+        const T height = select(v.z < T(0), sine2 / sum, sum);  // 1 + v.z
         const T z = (T(1) - u.x) * height;
         const T r = sqrt(u.x * (height * z + sine2));
         const auto [s, c] = sincos_2pi(u.y);

@@ -42,7 +42,7 @@ public:
         const T grow = detail::expm1_ratio(x), fall = detail::expm1_ratio(-x);
         const T y = u * grow * detail::log1p_ratio(u * x * grow);
         const T rest = (T(1) - u) * fall * detail::log1p_ratio(-(T(1) - u) * x * fall);
-        return quotient(y * detail::expm1_ratio(-L * y), rest * detail::expm1_ratio(L * rest));  // infinite at u = 1 alone
+        return y * detail::expm1_ratio(-L * y) / (rest * detail::expm1_ratio(L * rest));  // infinite at u = 1 alone
     }
 
     template <scalar U>
@@ -63,7 +63,7 @@ class gtr : public radial<tabulated<gtr_shape<T>, T>, alpha<T>> {
     using shape = tabulated<gtr_shape<T>, T>;
 
 public:
-    gtr(const alpha<T>& width, const T& gamma) : radial<shape, alpha<T>>(shape(gtr_shape<T>(width.value(), gamma)), width) {}
+    constexpr gtr(const alpha<T>& width, const T& gamma) : radial<shape, alpha<T>>(shape(gtr_shape<T>(width.value(), gamma)), width) {}
 };
 template <scalar T>
 gtr(alpha<T>, T) -> gtr<T>;

@@ -49,7 +49,7 @@ public:
         requires visibly_samplable_distribution<First> && visibly_samplable_distribution<Second>
     {
         const T a = (T(1) - w) * first.projected_area(v), b = w * second.projected_area(v);
-        const chosen c(quotient(a, a + b), u.x);
+        const chosen c(a / (a + b), u.x);
         return select(c.first, first.sample_visible(v, {c.u, u.y}), second.sample_visible(v, {c.u, u.y}));
     }
     constexpr T pdf_visible(const vec3<T>& v, const vec3<T>& m) const { return larger(dot(v, m), T(0)) * D(m) / projected_area(v); }
