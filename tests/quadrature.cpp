@@ -158,6 +158,7 @@ TEMPLATE_TEST_CASE("quadrature: table of estimates", "[.][estimates]", float, do
         for (const honesty& h : result) {
             double mean = 0;
             for (const double n : h.evaluations) mean += n / h.cases;
+            CHECK(h.below * 100 <= h.cases);
             std::printf(" | %5.1f%% %6.0e %7.0f", 100.0 * h.below / h.cases, median(h.ratio), mean);
         }
         std::printf("\n");
