@@ -45,7 +45,7 @@ struct backscatter {
 /// so that with tilt and peak near r the weight is nearly constant. Its standard deviation is 0.05 of the mean at r = 1, grazing, and 0.08
 /// at most, EON of albedo 1; by the cosine 1.45, 0.85, 0.48 at cos(theta_v) 0.001, 0.1, 0.5; by the clipped linearly transformed cosine and
 /// uniform hemisphere of Portsmouth, Kutz, Hill 2025, section 4: 0.19.
-/// Domain: v unit, above the horizon, cosines of 1e-38 and more in float; u in [0,1)^2: no sample fails. u.x chooses the lobe and is
+/// Domain: v unit, above the horizon; u in [0,1)^2: no sample fails. u.x chooses the lobe and is
 /// stretched over [0,1) again. At v = n, and where tilt and peak are 0, it is the cosine. Rounding: 8 ULP of pdf's largest term,
 /// 4 ULP of rho for the weight; l in float 1e-6 radian. No term cancels next to the horizon, as 1 - cos and 1 - u are carried along.
 /// Cost: `sample` 3.5 times that of `cosine_sampling`, `evaluate` 1.3 times, in a vectorised loop 2 to 3.
