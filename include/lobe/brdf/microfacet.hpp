@@ -7,26 +7,45 @@
 
 namespace lobe {
 
+namespace detail {
+
+/// A Fresnel reflectance for the distribution N: it takes N's scalar type.
+template <class F, class N>
+concept fresnel_for = distribution<N> && fresnel<F, typename N::scalar>;
+
+}  // namespace detail
+
+/// Reached by parts that do not fit: says which one, and what to write.
+template <class N, class M, class F, class Sampler = visible_normals>
+class microfacet {
+    static constexpr bool first = distribution<N>, second = masking<M, N> || !first, third = detail::fresnel_for<F, N> || !first;
+    static_assert(first, "microfacet{distribution, masking, Fresnel}: the first part is a distribution of normals, ggx{alpha{0.3f}}");
+    static_assert(second, "microfacet{distribution, masking, Fresnel}: the second is a masking model for it, smith_correlated{}");
+    static_assert(third, "microfacet{distribution, masking, Fresnel}: the third is a callable of v.m in the scalar type of the "
+                         "distribution: schlick{0.04f} for ggx{alpha{0.3f}}, schlick{0.04} for ggx{alpha{0.3}}");
+
+public:
+    constexpr microfacet(const N&, const M&, const F&, const Sampler& = {}) {}
+};
+
 /// f(v,l) = F(v.m) D(m) G2(v,l) / (4 cos(theta_v) cos(theta_l)) = F D / (4 den), in 1/sr. Cook & Torrance 1982; Walter et
 /// al. 2007, eq. 20. Nothing is divided by a cosine and no half vector is normalised: with s = v + l, D takes s as it
 /// is and v.m = |s|/2.
 /// v, l unit, in tangent space; f, f_cos, pdf are zero unless both are above the horizon. Reciprocal to rounding.
 /// Error of f_cos and pdf, GGX and Schlick, for v and l as they are given: 20 ULP.
 /// Sampled where the sampler can draw normals of the distribution.
-/// Domain: cosines of 1e-18 and more in float, 1e-150 in double; below, where l nears -v, |v + l|^2 is no number any more, nor is f.
-template <class N, class M, class F, class Sampler = visible_caps>
-class microfacet : exact_vectors {
-    static_assert(distribution<N>, "the first part of a microfacet BRDF is a distribution of normals");
-    static_assert(masking<M, N>, "the second part is a masking model for that distribution");
-    static_assert(fresnel<F, typename N::scalar>,
-                  "the third part is a Fresnel reflectance, a callable of v.m with average(), in the type of the distribution's numbers");
+/// The horizon is a cosine of `horizon<T>()`, below which |v + l|^2 is no number any more where l nears -v.
+template <class N, class M, class F, class Sampler>
+    requires(distribution<N> && masking<M, N> && detail::fresnel_for<F, N>)
+class microfacet<N, M, F, Sampler> : exact_vectors<microfacet<N, M, F, Sampler>> {
     using T = typename N::scalar;
     using S = decltype(std::declval<const F&>()(std::declval<const T&>()));
+    using exact = exact_vectors<microfacet>;
 
 public:
     using scalar = T;
     using spectrum = S;
-    using exact_vectors::f, exact_vectors::f_cos, exact_vectors::pdf, exact_vectors::evaluate, exact_vectors::sample;
+    using exact::f, exact::f_cos, exact::pdf, exact::evaluate, exact::sample;
     static constexpr bool isotropic = N::isotropic;
 
     constexpr microfacet(const N& distribution_of_normals, const M& masking_model, const F& reflectance, const Sampler& sampling = {})
@@ -34,7 +53,7 @@ public:
         static_assert(brdf<microfacet>);
     }
 
-    // (Inlined by force, all of it: compilers would call what they meet twice, and a loop with a call does not vectorise.)
+    // (Inlined by force, all of it: docs/design.md.)
     [[gnu::always_inline]] constexpr S f(const vec3<T>& v, const vec3<T>& l) const {
         const half h(v + l);
         return fresnel_(h.v_m) * quotient(above_horizon(v, l), ndf.D(h.s), T(4) * shadow.denominator(ndf, v, l));
