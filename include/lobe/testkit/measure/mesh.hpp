@@ -223,7 +223,7 @@ private:
             if (k < driving && c.error[k] > size) size = c.error[k], dx = fourth_x[k], dy = fourth_y[k];
         }
         // Where the differences do not decide, the longer side of the cell in units of the first grid.
-        c.cut_x = dx == dy ? c.width * nx >= c.height * ny : dx > dy;
+        c.cut_x = dx > dy || (!(dx < dy) && c.width * nx >= c.height * ny);
     }
 
     integrand f;
