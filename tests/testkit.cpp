@@ -142,7 +142,8 @@ TEST_CASE("a report says what, where, and what it means", "[testkit]") {
         CHECK(printed.find(part) != std::string::npos);
 
     const std::string json = bad.json();
-    for (const char* part : {"\"subject\": \"white \\\"wall\\\"\"", "\"passed\": false", "\"property\": \"white furnace is 1\""})
+    for (const char* part : {"\"subject\": \"white \\\"wall\\\"\"", "\"passed\": false",
+                             "\"id\": \"white_furnace\", \"property\": \"white furnace is 1\""})
         CHECK(json.find(part) != std::string::npos);
     CHECK(std::count(json.begin(), json.end(), '{') == std::count(json.begin(), json.end(), '}'));
     CHECK(detail::json_number(std::nan("")) == "null");
@@ -307,21 +308,31 @@ TEST_CASE("a function with a random generator inside is found", "[testkit]") {
     CHECK(!the_check(verify(noisy), "the same input, the same value").passed);
 }
 
-TEST_CASE("the kit includes no model", "[testkit]") {
+TEST_CASE("the kit includes no model, and its rooms only what is below them", "[testkit]") {
     namespace fs = std::filesystem;
-    const fs::path include = fs::path(LOBE_REFERENCE_DIR) / "../../include/lobe";
+    const fs::path kit = fs::path(LOBE_REFERENCE_DIR) / "../../include/lobe/testkit";
+    const std::vector<std::string> rooms{"measure", "subject", "verdict", "properties"};
     int files = 0;
-    for (const auto& entry : fs::directory_iterator(include / "testkit")) {
+    for (const auto& entry : fs::recursive_directory_iterator(kit)) {
+        if (!entry.is_regular_file()) continue;
         ++files;
+        const std::string room = fs::relative(entry.path(), kit).parent_path().string();
+        const auto floor = std::find(rooms.begin(), rooms.end(), room);
         std::ifstream file(entry.path());
-        for (std::string line; std::getline(file, line);) {
+        int lines = 0;
+        for (std::string line; std::getline(file, line); ++lines) {
             if (line.rfind("#include <lobe/", 0) != 0) continue;
             INFO(entry.path() << ": " << line);
-            CHECK((line.find("lobe/core/") != std::string::npos || line.find("lobe/sampling/") != std::string::npos ||
-                   line.find("lobe/testkit/") != std::string::npos));
+            const bool of_kit = line.find("lobe/testkit/") != std::string::npos;
+            CHECK((of_kit || line.find("lobe/core/") != std::string::npos));
+            for (auto above = floor; above != rooms.end(); ++above)
+                if (above != floor) CHECK(line.find("lobe/testkit/" + *above + "/") == std::string::npos);
+            if (!room.empty()) CHECK(line.find("lobe/testkit/verify") == std::string::npos);
         }
+        INFO(entry.path());
+        CHECK(lines <= 250);
     }
-    CHECK(files > 5);
+    CHECK(files > 30);
 }
 
 TEST_CASE("Fresnel reflectances: right ones pass, each misprint has its finding", "[testkit]") {

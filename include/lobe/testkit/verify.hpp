@@ -54,7 +54,7 @@ report verdict_on(const brdf_functions<T, N>& brdf, const options& o) {
         for (int i = 0; i < b.effort.pairs; ++i) {
             const auto [v, l] = random_pair<T>(random, i);
             if (!(v.z > T(0)) || !(l.z > T(0))) continue;
-            const pair_of_directions<T, N> pair{.v = v, .l = l, .f = b.raw.f_cos(v, l)};
+            const pair_of_directions<T, N> pair{.v = v, .l = l, .f = b.f_cos(v, l)};
             for (auto* p : all) p->at_pair(pair);
             if (!b.has_sample()) continue;
             const vec3<T> u = random_u<T>(of_u, b.raw.numbers);

@@ -26,7 +26,7 @@ public:
     void at_pair(const pair& p) override {
         if (!this->b.isotropic) return;
         const double angle = tau * random();
-        const values g = this->b.raw.f_cos(rotated(p.v, angle), rotated(p.l, angle));
+        const values g = this->b.f_cos(rotated(p.v, angle), rotated(p.l, angle));
         for (std::size_t k = 0; k < N; ++k) turned.add(g[k], p.f[k], {.v = p.v, .l = p.l}, k);
     }
 

@@ -21,7 +21,7 @@ public:
     /// f_cos(v,l) cos(theta_v) is f times both cosines.
     void at_pair(const pair& p) override {
         if (!this->b.claims.reciprocal) return;
-        const values g = this->b.raw.f_cos(p.l, p.v);
+        const values g = this->b.f_cos(p.l, p.v);
         for (std::size_t k = 0; k < N; ++k)
             both.add(p.f[k] * static_cast<double>(p.v.z), g[k] * static_cast<double>(p.l.z), {.v = p.v, .l = p.l}, k);
     }
