@@ -51,7 +51,7 @@ void all_normals(distribution<T>& n, report& r) {
     }
     if (n.raw.sample) {
         density_check<T> density(id::normals, n.claims, 1);
-        const expectation<T> over_u{.draw = [&](const V& u) { return n.sample({u.x, u.y}); }};
+        const expectation<T> over_u([&](const V& u) { return n.sample({u.x, u.y}); }, 2);
         density.add(
             n.chart, [&](const V&, const V& m) { return n.pdf(m); }, over_u, moments_of_normal, {T(0), T(0), T(1)}, n.claims.seed);
         density.report_to(r);
@@ -76,7 +76,7 @@ void visible_normals(distribution<T>& n, report& r) {
                 const V m = random_normal<T>(random);
                 product.add(n.raw.pdf_visible(v, m), visible(m), {.v = v, .l = m});
             }
-        const expectation<T> over_u{.draw = [&](const V& u) { return n.sample_visible(v, {u.x, u.y}); }};
+        const expectation<T> over_u([&](const V& u) { return n.sample_visible(v, {u.x, u.y}); }, 2);
         const auto pdf = [&](const V& from, const V& m) { return n.raw.pdf_visible ? n.raw.pdf_visible(from, m) : visible(m); };
         density.add(n.chart, pdf, over_u, moments_of_normal, v, n.claims.seed);
     }

@@ -40,7 +40,7 @@ public:
         const auto pdf = [&](const V& v, const V& l) { return brdf.pdf(v, l); };
         if (brdf.has_sample()) {
             const auto moments_of = [&](const vec3<double>& l) { return moments_of_light(from.w, l); };
-            followed.add(from.chart, pdf, from.over_u, moments_of, from.v, from.seed);
+            followed.add(from.chart, pdf, *from.over_u, moments_of, from.v, from.seed);
             return;
         }
         mesh<1> total(

@@ -30,18 +30,20 @@ struct integrals {
 
 template <class T, std::size_t N>
 class view {
+    subject<T, N>& b;
+
 public:
     using V = vec3<T>;
     using values = std::array<double, N>;
 
     view(subject<T, N>& judged, const V& from, std::uint64_t seed_of_view)
-        : v(from), w(normalize(vec3<double>(from))), text(literal("v", from)), seed(seed_of_view), chart(w), b(judged) {
+        : b(judged), v(from), w(normalize(vec3<double>(from))), text(literal("v", from)), seed(seed_of_view), chart(w) {
         if (!b.has_sample()) return;
-        over_u.numbers = b.raw.numbers;
-        over_u.draw = [this](const V& u) {
+        const auto sampler = [this](const V& u) {
             const auto s = b.sample(v, u);
             return s.ok ? std::optional<V>(s.l) : std::nullopt;
         };
+        over_u.emplace(sampler, b.raw.numbers);
     }
     view(const view&) = delete;
     view& operator=(const view&) = delete;
@@ -73,7 +75,7 @@ public:
     half_vector_chart chart;
     hints some;     // where samples lie
     int asked = 0;  // of how many
-    expectation<T> over_u;
+    std::optional<expectation<T>> over_u;  // where there are samples
 
     integrals<N> reflected{}, weighted{};
     double uncovered = 0;  // the part of what is reflected that the pdf does not reach
@@ -103,7 +105,7 @@ private:
     }
 
     void weigh() {
-        const auto mean = over_u.template of<N + 5>(
+        const auto mean = over_u->template of<N + 5>(
             [&](const V& u) {
                 const auto s = b.sample(v, u);
                 std::array<double, N + 5> out{};
@@ -126,7 +128,6 @@ private:
         return out;
     }
 
-    subject<T, N>& b;
 };
 
 }  // namespace lobe::testkit::detail

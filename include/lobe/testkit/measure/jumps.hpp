@@ -1,0 +1,139 @@
+// Where a sampler turns to another lobe: the values of one of its numbers at which its samples jump, whatever the others are.
+#pragma once
+
+#include <lobe/testkit/measure/random.hpp>
+
+#include <lobe/core/vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace lobe::testkit::detail {
+
+/// What becomes of the numbers: a direction, where the sampler succeeds.
+template <class T>
+using drawing = std::function<std::optional<vec3<T>>(const vec3<T>& u)>;
+
+/// The third number between its jumps: it changes nothing; it moves samples; or it jumps elsewhere for other x and y.
+enum class third_number { idle, smooth, curved };
+
+/// Looks along lines: where a sample is further from the one before than its neighbours are, the interval is halved until it holds one step of
+/// T. A jump that is found on other lines, too, is the border of a lobe; one that is not is a curve in the square, which is left to the mesh.
+template <class T>
+class jumps {
+public:
+    std::array<std::vector<T>, 3> at{};  // increasing, in (0,1): the first number after the jump
+    third_number third = third_number::idle;
+
+    jumps(const drawing<T>& sampler, int numbers) : draw(sampler) {
+        for (int axis = 0; axis < numbers; ++axis) {
+            std::vector<T> found;
+            for (std::size_t i = 0; i < lines.size(); ++i)
+                for (const T x : along(axis, i)) found.push_back(x);
+            std::sort(found.begin(), found.end());
+            for (const T x : found) {
+                std::vector<T>& of_axis = at[static_cast<std::size_t>(axis)];
+                if (!of_axis.empty() && !(x > of_axis.back() + 16 * step(x))) continue;
+                int seen = 0;
+                for (const line& l : lines) seen += is_jump(axis, l, x);
+                if (seen >= 2)
+                    of_axis.push_back(x);
+                else if (axis == 2)
+                    third = third_number::curved;
+            }
+        }
+        if (numbers == 3 && third != third_number::curved && moves()) third = third_number::smooth;
+    }
+
+private:
+    using outcome = std::optional<vec3<T>>;
+    using line = std::array<double, 2>;  // the other numbers
+    static constexpr std::array<line, 4> lines{{{0.37, 0.61}, {0.81, 0.23}, {0.13, 0.87}, {0.56, 0.42}}};
+
+    static T step(T x) { return x * std::numeric_limits<T>::epsilon(); }
+
+    outcome on(int axis, const line& l, T x) const {
+        vec3<T> u;
+        u[axis] = x, u[(axis + 1) % 3] = static_cast<T>(l[0]), u[(axis + 2) % 3] = static_cast<T>(l[1]);
+        return draw(u);
+    }
+
+    static double distance(const outcome& a, const outcome& b) {
+        if (!a || !b) return a || b ? 2 : 0;
+        return static_cast<double>(length(*a - *b));
+    }
+
+    /// Jumps on one line.
+    std::vector<T> along(int axis, std::size_t which) const {
+        constexpr std::size_t n = 192;
+        const line& l = lines[which];
+        std::array<T, n> x;
+        std::array<outcome, n> o;
+        for (std::size_t i = 0; i < n; ++i) {
+            const double t = (static_cast<double>(i) + (static_cast<double>(which) + 0.5) / lines.size()) / n;
+            x[i] = below_one<T>(t * t * (3 - 2 * t));
+            o[i] = on(axis, l, x[i]);
+        }
+        std::array<double, n - 1> apart;
+        for (std::size_t i = 0; i + 1 < n; ++i) apart[i] = distance(o[i], o[i + 1]);
+        std::vector<T> found;
+        for (std::size_t i = 0; i + 1 < n && found.size() < 8; ++i) {
+            double usual = 0;  // the second largest of four neighbours: a jump may be beside another
+            double largest = 0;
+            for (std::size_t k = i < 2 ? 0 : i - 2; k <= (std::min)(i + 2, n - 2); ++k) {
+                if (k == i) continue;
+                usual = (std::max)(usual, (std::min)(largest, apart[k]));
+                largest = (std::max)(largest, apart[k]);
+            }
+            if (apart[i] > 2 * usual + least)
+                if (const auto jump = halved(axis, l, x[i], o[i], x[i + 1], o[i + 1])) found.push_back(*jump);
+        }
+        return found;
+    }
+
+    std::optional<T> halved(int axis, const line& l, T low, outcome at_low, T high, outcome at_high) const {
+        const double before = distance(at_low, at_high);
+        for (int i = 0; i < 60; ++i) {
+            const T middle = low + (high - low) / 2;
+            if (!(middle > low && middle < high)) break;
+            const outcome here = on(axis, l, middle);
+            if (distance(at_low, here) > distance(here, at_high))
+                high = middle, at_high = here;
+            else
+                low = middle, at_low = here;
+            if (i > 5 && distance(at_low, at_high) < before / 8) return std::nullopt;  // it was only steep
+        }
+        return high;
+    }
+
+    /// Further apart across x than on either side of it.
+    bool is_jump(int axis, const line& l, T x) const {
+        const T d = (std::max)(4 * step(x), static_cast<T>(1e-7) * (std::min)(x, T(1) - x));
+        if (!(x - 3 * d > T(0)) || !(x + 3 * d < T(1))) return true;
+        const outcome a = on(axis, l, x - 3 * d), b = on(axis, l, x - d), c = on(axis, l, x + d), e = on(axis, l, x + 3 * d);
+        return distance(b, c) > 4 * (std::max)(distance(a, b), distance(c, e)) + least;
+    }
+
+    /// Does the third number change samples between its jumps?
+    bool moves() const {
+        std::vector<T> ends{T(0)};
+        ends.insert(ends.end(), at[2].begin(), at[2].end());
+        ends.push_back(T(1));
+        for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+            for (const line& l : lines)
+                if (distance(on(2, l, ends[i] + (ends[i + 1] - ends[i]) / 3), on(2, l, ends[i] + (ends[i + 1] - ends[i]) * T(0.7))) > least)
+                    return true;
+        return false;
+    }
+
+    static constexpr double least = 1e-5;
+    const drawing<T>& draw;
+};
+
+}  // namespace lobe::testkit::detail
