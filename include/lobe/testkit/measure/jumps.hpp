@@ -20,16 +20,13 @@ namespace lobe::testkit::detail {
 template <class T>
 using drawing = std::function<std::optional<vec3<T>>(const vec3<T>& u)>;
 
-/// The third number between its jumps: it changes nothing; it moves samples; or it jumps elsewhere for other x and y.
-enum class third_number { idle, smooth, curved };
-
 /// Looks along lines: where a sample is further from the one before than its neighbours are, the interval is halved until it holds one step of
 /// T. A jump that is found on other lines, too, is the border of a lobe; one that is not is a curve in the square, which is left to the mesh.
 template <class T>
 class jumps {
 public:
     std::array<std::vector<T>, 3> at{};  // increasing, in (0,1): the first number after the jump
-    third_number third = third_number::idle;
+    bool selects = true;  // the third number does nothing between its jumps, which are the same for all x and y
 
     jumps(const drawing<T>& sampler, int numbers) : draw(sampler) {
         for (int axis = 0; axis < numbers; ++axis) {
@@ -45,10 +42,10 @@ public:
                 if (seen >= 2)
                     of_axis.push_back(x);
                 else if (axis == 2)
-                    third = third_number::curved;
+                    selects = false;
             }
         }
-        if (numbers == 3 && third != third_number::curved && moves()) third = third_number::smooth;
+        if (numbers == 3 && moves()) selects = false;
     }
 
 private:
