@@ -267,6 +267,80 @@ TEST_CASE("a sampler or a pdf that does not fit is not passed over", "[testkit]"
     CHECK(findings(pair_weight{}) == "sample(v, u) can be called;");
 }
 
+TEST_CASE("samplers of two numbers, or of three", "[testkit]") {
+    struct base {
+        double f_cos(const glm::dvec3& v, const glm::dvec3& l) const { return v.z > 0 && l.z > 0 ? 0.5 * l.z / pi : 0; }
+        double pdf(const glm::dvec3& v, const glm::dvec3& l) const { return v.z > 0 && l.z > 0 ? l.z / pi : 0; }
+        static sampled_light<double, double> drawn(const glm::dvec3& v, double x, double y) {
+            if (!(v.z > 0)) return {{0, 0, 1}, 0, 0};
+            return {{std::sqrt(x) * std::cos(2 * pi * y), std::sqrt(x) * std::sin(2 * pi * y), std::sqrt(1 - x)}, 0.5, std::sqrt(1 - x) / pi};
+        }
+    };
+    struct two : base {
+        auto sample(const glm::dvec3& v, const glm::dvec2& u) const { return drawn(v, u.x, u.y); }
+    };
+    struct three : base {  // the half of the azimuth by the third
+        auto sample(const glm::dvec3& v, const glm::dvec3& u) const { return drawn(v, u.x, u.z < 0.3127 ? 0.3127 * u.y : 0.3127 + 0.6873 * u.y); }
+    };
+    struct both : base {  // the two are asked for, so the three may be wrong
+        auto sample(const glm::dvec3& v, const glm::dvec2& u) const { return drawn(v, u.x, u.y); }
+        auto sample(const glm::dvec3& v, const glm::dvec3& u) const { return drawn(v, u.z * u.x, u.y); }
+    };
+    struct wrong : base {
+        auto sample(const glm::dvec3& v, const glm::dvec3& u) const { return drawn(v, u.x * u.z, u.y); }
+    };
+    CHECK(detail::interface_of(two{}).numbers == 2);
+    CHECK(detail::interface_of(three{}).numbers == 3);
+    CHECK(detail::interface_of(both{}).numbers == 2);
+    for (const report& r : {verify(two{}), verify(three{}), verify(both{})}) {
+        INFO(r);
+        CHECK(r.passed());
+        CHECK_NOTHROW(the_check(r, "samples follow the pdf (chi-squared)"));
+    }
+    const report r = verify(wrong{});
+    CHECK(!the_check(r, "means of samples = means of the pdf").passed);
+    CHECK(the_check(r, "means of samples = means of the pdf").id == id::pdf_of_samples.means);
+
+    // What was drawn from is printed, three numbers of three.
+    struct long_ones : base {
+        auto sample(const glm::dvec3& v, const glm::dvec3& u) const {
+            auto s = drawn(v, u.x, u.y);
+            if (u.z > 0.9) s.l *= 1.01;
+            return s;
+        }
+    };
+    CHECK(the_check(verify(long_ones{}), "sampled directions are unit").input.find("glm::dvec3 u{") != std::string::npos);
+    const auto f = [](const glm::dvec3& v, const glm::dvec3& l) { return base{}.f_cos(v, l); };
+    CHECK(verify(functions(f, [](const glm::dvec3& v, const glm::dvec3& u) { return three{}.sample(v, u); })).passed());
+}
+
+TEST_CASE("means over the numbers of a sampler, cut where it jumps", "[testkit]") {
+    // 1 where the number is below p, else 3, times a smooth function of the others: int (1 + x) = 3/2.
+    for (const double p : {0.0131, 0.1729, 0.5, 0.7137, 0.9973})
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto first = [&](const glm::dvec3& u) { return u[axis] < p; };
+            const detail::expectation<double> over_u(
+                [&](const glm::dvec3& u) {
+                    const double z = first(u) ? 0.5 : 0.25, turn = 2 * pi * u[(axis + 1) % 2 == axis ? 1 - axis : (axis + 1) % 2];
+                    return std::optional(glm::dvec3(std::sqrt(1 - z * z) * std::cos(turn), std::sqrt(1 - z * z) * std::sin(turn), z));
+                },
+                3);
+            const auto mean = over_u.of<1>(
+                [&](const glm::dvec3& u) { return std::array{(first(u) ? 1.0 : 3.0) * (1 + u[axis == 0 ? 1 : 0])}; },
+                detail::budget_of(effort::quick), 1, 1);
+            INFO("axis " << axis << ", p " << p);
+            CHECK(mean.value[0] == Catch::Approx((p + 3 * (1 - p)) * 1.5).epsilon(1e-6));
+            CHECK(mean.error[0] < 1e-4);
+        }
+    // A third number that changes everything: within its error. The plane z = x cuts fewer than 2 of 12 cubes, the spread there is at most 1/2:
+    // 6 sqrt(2/12/4/(32 12^3)) = 5.2e-3.
+    const detail::expectation<double> over_u([](const glm::dvec3& u) { return std::optional(lobe::normalize(u + glm::dvec3(0, 0, 1))); }, 3);
+    const auto mean = over_u.of<1>([](const glm::dvec3& u) { return std::array{u.x * u.y * u.z + (u.z < u.x ? 1 : 0)}; },
+                                   detail::budget_of(effort::quick), 1, 1);
+    CHECK(std::abs(mean.value[0] - 0.625) < mean.error[0]);
+    CHECK(mean.error[0] < 5.2e-3);
+}
+
 TEST_CASE("a tolerance that makes no sense is refused", "[testkit]") {
     for (const double senseless : {std::nan(""), -1e-3, 0.0, double(INFINITY)}) {
         options o;
