@@ -66,34 +66,56 @@ private:
         return static_cast<double>(length(*a - *b));
     }
 
+    /// Numbers on a line, and what becomes of them.
+    struct scan {
+        std::vector<T> x;
+        std::vector<outcome> o;
+    };
+    scan scanned(int axis, const line& l, std::vector<T> x) const {
+        scan out{std::move(x), {}};
+        for (const T one : out.x) out.o.push_back(on(axis, l, one));
+        return out;
+    }
+
+    /// Intervals across which samples move more than across their neighbours: the second largest of four, for jumps come in pairs.
+    static std::vector<std::size_t> suspects(const scan& s) {
+        std::vector<double> apart;
+        for (std::size_t i = 0; i + 1 < s.o.size(); ++i) apart.push_back(distance(s.o[i], s.o[i + 1]));
+        std::vector<std::size_t> out;
+        for (std::size_t i = 0; i < apart.size(); ++i) {
+            double second = 0, first = 0;
+            for (std::size_t k = i < 2 ? 0 : i - 2; k <= (std::min)(i + 2, apart.size() - 1); ++k) {
+                if (k == i) continue;
+                second = (std::max)(second, (std::min)(first, apart[k]));
+                first = (std::max)(first, apart[k]);
+            }
+            if (apart[i] > 2 * second + least && out.size() < 8) out.push_back(i);
+        }
+        return out;
+    }
+
     /// Jumps on one line.
     std::vector<T> along(int axis, std::size_t which) const {
-        constexpr std::size_t n = 192;
         const line& l = lines[which];
-        std::array<T, n> x;
-        std::array<outcome, n> o;
-        for (std::size_t i = 0; i < n; ++i) {
-            const double t = (static_cast<double>(i) + (static_cast<double>(which) + 0.5) / lines.size()) / n;
-            x[i] = below_one<T>(t * t * (3 - 2 * t));
-            o[i] = on(axis, l, x[i]);
+        std::vector<T> x;
+        for (int i = 0; i < 192; ++i) {
+            const double t = (i + (static_cast<double>(which) + 0.5) / lines.size()) / 192;
+            x.push_back(below_one<T>(t * t * (3 - 2 * t)));
         }
-        std::array<double, n - 1> apart;
-        for (std::size_t i = 0; i + 1 < n; ++i) apart[i] = distance(o[i], o[i + 1]);
+        const scan coarse = scanned(axis, l, std::move(x));
         std::vector<T> found;
-        for (std::size_t i = 0; i + 1 < n && found.size() < 8; ++i) {
-            double usual = 0;  // the second largest of four neighbours: a jump may be beside another
-            double largest = 0;
-            for (std::size_t k = i < 2 ? 0 : i - 2; k <= (std::min)(i + 2, n - 2); ++k) {
-                if (k == i) continue;
-                usual = (std::max)(usual, (std::min)(largest, apart[k]));
-                largest = (std::max)(largest, apart[k]);
-            }
-            if (apart[i] > 2 * usual + least)
-                if (const auto jump = halved(axis, l, x[i], o[i], x[i + 1], o[i + 1])) found.push_back(*jump);
+        for (const std::size_t i : suspects(coarse)) {
+            std::vector<T> between;
+            for (int k = 0; k <= 12; ++k)
+                between.push_back(coarse.x[i] + (coarse.x[i + 1] - coarse.x[i]) * static_cast<T>(k) / T(12));
+            const scan fine = scanned(axis, l, std::move(between));
+            for (const std::size_t k : suspects(fine))
+                if (const auto jump = halved(axis, l, fine.x[k], fine.o[k], fine.x[k + 1], fine.o[k + 1])) found.push_back(*jump);
         }
         return found;
     }
 
+    /// The first number after the jump.
     std::optional<T> halved(int axis, const line& l, T low, outcome at_low, T high, outcome at_high) const {
         const double before = distance(at_low, at_high);
         for (int i = 0; i < 60; ++i) {
