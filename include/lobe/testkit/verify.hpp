@@ -12,68 +12,65 @@
 #include <lobe/testkit/verdict/places.hpp>
 #include <lobe/testkit/verdict/stray_samples.hpp>
 
+#include <string>
+#include <vector>
+
 namespace lobe::testkit {
 
 namespace detail {
+
+template <class T, std::size_t N, template <class, std::size_t> class... Property>
+struct property_list : Property<T, N>... {
+    explicit property_list(subject<T, N>& b) : Property<T, N>(b)... {}
+    brdf_property<T, N>* const all[sizeof...(Property)] = {static_cast<Property<T, N>*>(this)...};
+};
+template <class T, std::size_t N>
+using properties = property_list<T, N,  // in the order of the report
+                                 callable, values_of_f, steady, values_of_sampling, reciprocity, isotropy, evaluate, furnace,
+                                 furnace_of_light, density_of_samples, unbiased, weights, stray_samples>;
 
 template <class T, std::size_t N>
 report verdict_on(const brdf_functions<T, N>& brdf, const options& o) {
     report r = opened(o);
     if (!r.passed()) return r;
     subject<T, N> b(brdf, o);
-    const std::vector<vec3<T>> from = views(b);
-
-    stray_samples<T, N> strays(b);
-    callable<T, N> can_be_called(b);
-    values_of_f<T, N> numbers(b);
-    steady<T, N> same_twice(b);
-    values_of_sampling<T, N> samples(b);
-    reciprocity<T, N> reciprocal(b);
-    isotropy<T, N> turned(b);
-    evaluate<T, N> together(b);
-    furnace<T, N> of_view(b);
-    furnace_of_light<T, N> of_light(b);
-    density_of_samples<T, N> density(b, static_cast<int>(from.size()));
-    unbiased<T, N> mean(b);
-    weights<T, N> weight(b);
-    // In the order of the report.
-    brdf_property<T, N>* const all[] = {&strays,   &can_be_called, &numbers, &same_twice, &samples, &reciprocal, &turned,
-                                        &together, &of_view,       &of_light, &density,   &mean,    &weight};
-
+    properties<T, N> list(b);
     report thrown("");
     const auto part = [&](const auto& f) { attempt(thrown, [&] { return b.last.text(); }, f); };
-    const auto at_sample = [&](const vec3<T>& v, const vec3<T>& u, const drawn<T, N>& s) {
+    const auto show_sample = [&](const vec3<T>& v, const vec3<T>& u, const drawn<T, N>& s) {
         if (!s.ok) return;
-        const sample_from<T, N> one{
-            .v = v, .u = u, .s = s, .f = b.f_cos(v, s.l), .at = {.v = v, .l = s.l, .u = u, .numbers = b.raw.numbers}};
-        for (auto* p : all) p->at_sample(one);
+        const place<T> at{.v = v, .l = s.l, .u = u, .numbers = b.raw.numbers};
+        const sample_from<T, N> one{.v = v, .u = u, .s = s, .f = b.f_cos(v, s.l), .at = at};
+        for (auto* p : list.all) p->at_sample(one);
     };
+
     part([&] { sweep(b); });
     part([&] {
-        generator random(o.seed), of_u(o.seed);
+        generator random(o.seed), random_of_u(o.seed);
         for (int i = 0; i < b.effort.pairs; ++i) {
             const auto [v, l] = random_pair<T>(random, i);
             if (!(v.z > T(0)) || !(l.z > T(0))) continue;
             const pair_of_directions<T, N> pair{.v = v, .l = l, .f = b.f_cos(v, l)};
-            for (auto* p : all) p->at_pair(pair);
+            for (auto* p : list.all) p->at_pair(pair);
             if (!b.has_sample()) continue;
-            const vec3<T> u = random_u<T>(of_u, b.raw.numbers);
-            at_sample(v, u, b.sample(v, u));
+            const vec3<T> u = random_u<T>(random_of_u, b.raw.numbers);
+            show_sample(v, u, b.sample(v, u));
         }
     });
     part([&] {
+        const std::vector<vec3<T>> from = views(b);
         for (std::size_t i = 0; i < from.size(); ++i) {
             view<T, N> one(b, from[i], o.seed * 1000 + i);
-            one.draw([&](const vec3<T>& u, const drawn<T, N>& s) { at_sample(one.v, u, s); });
+            one.draw([&](const vec3<T>& u, const drawn<T, N>& s) { show_sample(one.v, u, s); });
             one.integrate();
-            for (auto* p : all) p->at_view(one);
+            for (auto* p : list.all) p->at_view(one);
         }
     });
 
     report found("");
-    for (auto* p : all) part([&] { p->report_to(found); });
+    for (auto* p : list.all) part([&] { p->report_to(found); });
     for (const check& c : thrown.checks()) r.add(c);
-    const std::string clue = strays.clue();
+    const std::string clue = list.stray_samples<T, N>::clue();
     for (check c : found.checks()) {
         if (!clue.empty() && c.id.about_samples && !c.passed) c.meaning = clue;
         r.add(c);

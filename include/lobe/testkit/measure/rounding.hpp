@@ -7,16 +7,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <type_traits>
 #include <vector>
 
 namespace lobe::testkit::detail {
 
+/// A value that depends on v and l. (A std::function: what takes it is compiled once.)
+template <class T>
+using of_directions = std::function<double(const vec3<T>& v, const vec3<T>& l)>;
+
 /// How far a value moves when every component of v and l moves by a few units of rounding: what rounding inside the function, or in
 /// its inputs, does to it there.
-template <class T, class F>
-double rounding_noise(const F& value, const place<T>& at, int steps = 32) {
+template <class T>
+double rounding_noise(const of_directions<T>& value, const place<T>& at, int steps = 32) {
     generator random(7);
     const double exact = value(at.v, at.l);
     double noise = 0;
@@ -37,8 +42,8 @@ double rounding_noise(const F& value, const place<T>& at, int steps = 32) {
 
 /// What rounding inside the function does to an integral of it, relative: on average over the cells that matter. Narrow lobes in float have
 /// a width that rounding alone changes: 1 - c*c and a*a - 1 keep 2^-24/alpha^2 of it. value(v, l): the integrand.
-template <class T, std::size_t N, class Chart, class Value>
-double relative_rounding(const mesh<N>& m, const Chart& chart, const vec3<T>& v, const Value& value) {
+template <class T, std::size_t N, class Chart>
+double relative_rounding(const mesh<N>& m, const Chart& chart, const vec3<T>& v, const of_directions<T>& value) {
     if constexpr (!std::is_same_v<T, float>) return 0;
     std::vector<std::size_t> leaves = m.leaves();
     const std::size_t kept = std::min<std::size_t>(leaves.size(), 48);
@@ -51,7 +56,7 @@ double relative_rounding(const mesh<N>& m, const Chart& chart, const vec3<T>& v,
         const place<T> at{.v = v, .l = vec3<T>(chart(c.x0 + c.width / 2, c.y0 + c.height / 2).l)};
         const double there = std::abs(value(at.v, at.l));
         if (!(there > 0)) continue;
-        noise += size(leaves[i]) * rounding_noise(value, at, 8) / there;
+        noise += size(leaves[i]) * rounding_noise<T>(value, at, 8) / there;
         all += size(leaves[i]);
     }
     return all > 0 ? 2 * noise / all : 0;  // twice: the rounding of constants has a sign

@@ -66,8 +66,8 @@ void isotropy_of_D(distribution<T>& n, report& r) {
         turned.add(n.D(other), n.D(m), {.v = m, .l = other, .first = "m"});
     }
     turned.report_to(r, [&](const place<T>& at, std::size_t) {
-        return rounding_noise([&](const V& one, const V&) { return n.raw.D(one); }, at) +
-               rounding_noise([&](const V&, const V& two) { return n.raw.D(two); }, at);
+        return rounding_noise<T>([&](const V& one, const V&) { return n.raw.D(one); }, at) +
+               rounding_noise<T>([&](const V&, const V& two) { return n.raw.D(two); }, at);
     });
 }
 

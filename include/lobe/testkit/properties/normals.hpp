@@ -46,7 +46,7 @@ void all_normals(distribution<T>& n, report& r) {
             product.add(n.raw.pdf(m), n.D(m) * static_cast<double>(m.z), {.v = m, .has_l = false, .first = "m"});
         }
         product.report_to(r, [&](const place<T>& at, std::size_t) {
-            return 2 * rounding_noise([&](const V& m, const V&) { return n.raw.D(m); }, at);
+            return 2 * rounding_noise<T>([&](const V& m, const V&) { return n.raw.D(m); }, at);
         });
     }
     if (n.raw.sample) {
@@ -83,7 +83,7 @@ void visible_normals(distribution<T>& n, report& r) {
     density.report_to(r);
     product.report_to(r, [&](const place<T>& at, std::size_t) {
         const double area = n.area_by_quadrature(normalize(vec3<double>(at.v))).value;
-        return 2 * rounding_noise([&](const V& v, const V& m) { return facing(v, m) * n.raw.D(m); }, at) / (std::max)(1e-30, area);
+        return 2 * rounding_noise<T>([&](const V& v, const V& m) { return facing(v, m) * n.raw.D(m); }, at) / (std::max)(1e-30, area);
     });
 }
 

@@ -29,7 +29,7 @@ public:
     void report_to(report& r) override {
         both.report_to(r, [&](const place<T>& at, std::size_t k) {
             const auto with_cosine = [&](const V& v, const V& l) { return this->b.raw.f_cos(v, l)[k] * static_cast<double>(v.z); };
-            return rounding_noise(with_cosine, at) + rounding_noise([&](const V& v, const V& l) { return with_cosine(l, v); }, at);
+            return rounding_noise<T>(with_cosine, at) + rounding_noise<T>([&](const V& v, const V& l) { return with_cosine(l, v); }, at);
         });
     }
 

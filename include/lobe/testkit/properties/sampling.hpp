@@ -4,6 +4,7 @@
 #include <lobe/testkit/verdict/comparison.hpp>
 #include <lobe/testkit/verdict/density.hpp>
 #include <lobe/testkit/verdict/per_view.hpp>
+#include <lobe/testkit/verdict/places.hpp>
 #include <lobe/testkit/verdict/property.hpp>
 
 #include <algorithm>
@@ -30,9 +31,9 @@ template <class T, std::size_t N>
 class density_of_samples : public brdf_property<T, N> {
 public:
     using typename brdf_property<T, N>::view, typename brdf_property<T, N>::V;
-    density_of_samples(subject<T, N>& judged, int views)
+    explicit density_of_samples(subject<T, N>& judged)
         : brdf_property<T, N>(judged), at_most(id::pdf_at_most_1, "it is no density: a factor or a Jacobian is wrong", relation::at_most),
-          followed(id::pdf_of_samples, judged.claims, views) {}
+          followed(id::pdf_of_samples, judged.claims, static_cast<int>(views(judged).size())) {}
 
     void at_view(const view& from) override {
         subject<T, N>& brdf = this->b;

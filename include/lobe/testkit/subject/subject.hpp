@@ -74,9 +74,9 @@ public:
 
     /// What rounding does to a value there.
     double noise_of_f(const place<T>& at, std::size_t channel) const {
-        return rounding_noise([&](const V& v, const V& l) { return raw.f_cos(v, l)[channel]; }, at);
+        return rounding_noise<T>([&](const V& v, const V& l) { return raw.f_cos(v, l)[channel]; }, at);
     }
-    double noise_of_pdf(const place<T>& at) const { return rounding_noise(raw.pdf, at); }
+    double noise_of_pdf(const place<T>& at) const { return rounding_noise<T>(raw.pdf, at); }
 
     const brdf_functions<T, N> raw;
     const options claims;

@@ -22,7 +22,7 @@ struct watch {
     /// The value itself where it is a number, else 0. `again(v, l)` asks for it elsewhere: a sign that rounding decides is no fault.
     template <class Again>
     double see(double x, const place<T>& at, bool must_vanish, const Again& again) {
-        const bool by_rounding = x < -rounding && negative.count < 100 && std::isfinite(x) && -x <= 4 * rounding_noise(again, at);
+        const bool by_rounding = x < -rounding && negative.count < 100 && std::isfinite(x) && -x <= 4 * rounding_noise<T>(again, at);
         return by_rounding ? 0 : see(x, at, must_vanish);
     }
     double see(double x, const place<T>& at, bool must_vanish) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <string>
 
 namespace lobe::testkit {
@@ -29,8 +30,7 @@ inline report opened(const options& o) {
 }
 
 /// A function that throws ends one part of the verdict, not the verdict. where(): the input that it was asked for.
-template <class Part, class Where>
-void attempt(report& r, const Where& where, const Part& part) {
+inline void attempt(report& r, const std::function<std::string()>& where, const std::function<void()>& part) {
     const auto threw = [&](const std::string& what) {
         r.add(id::no_exception, {.passed = false, .measured = 1, .input = where(), .meaning = "it threw" + what});
     };

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <utility>
@@ -59,8 +60,8 @@ public:
     }
 
     /// noise(place, channel): what rounding does to the two values there.
-    template <class Noise>
-    void report_to(report& r, const Noise& noise) {
+    using noise_at = std::function<double(const place<T>& at, std::size_t channel)>;
+    void report_to(report& r, const noise_at& noise) {
         if (!count) return;
         // The largest deviations, and as many spread over all: the largest may all be rounding.
         keep_largest();

@@ -4,6 +4,7 @@
 #include <lobe/testkit/measure/random.hpp>
 #include <lobe/testkit/subject/subject.hpp>
 
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
