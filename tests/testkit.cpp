@@ -273,14 +273,17 @@ TEST_CASE("samplers of two numbers, or of three", "[testkit]") {
         double pdf(const glm::dvec3& v, const glm::dvec3& l) const { return v.z > 0 && l.z > 0 ? l.z / pi : 0; }
         static sampled_light<double, double> drawn(const glm::dvec3& v, double x, double y) {
             if (!(v.z > 0)) return {{0, 0, 1}, 0, 0};
-            return {{std::sqrt(x) * std::cos(2 * pi * y), std::sqrt(x) * std::sin(2 * pi * y), std::sqrt(1 - x)}, 0.5, std::sqrt(1 - x) / pi};
+            const double r = std::sqrt(x), z = std::sqrt(1 - x);
+            return {{r * std::cos(2 * pi * y), r * std::sin(2 * pi * y), z}, 0.5, z / pi};
         }
     };
     struct two : base {
         auto sample(const glm::dvec3& v, const glm::dvec2& u) const { return drawn(v, u.x, u.y); }
     };
     struct three : base {  // the half of the azimuth by the third
-        auto sample(const glm::dvec3& v, const glm::dvec3& u) const { return drawn(v, u.x, u.z < 0.3127 ? 0.3127 * u.y : 0.3127 + 0.6873 * u.y); }
+        auto sample(const glm::dvec3& v, const glm::dvec3& u) const {
+            return drawn(v, u.x, u.z < 0.3127 ? 0.3127 * u.y : 0.3127 + 0.6873 * u.y);
+        }
     };
     struct both : base {  // the two are asked for, so the three may be wrong
         auto sample(const glm::dvec3& v, const glm::dvec2& u) const { return drawn(v, u.x, u.y); }
@@ -321,8 +324,7 @@ TEST_CASE("means over the numbers of a sampler, cut where it jumps", "[testkit]"
             const auto first = [&](const glm::dvec3& u) { return u[axis] < p; };
             const detail::expectation<double> over_u(
                 [&](const glm::dvec3& u) {
-                    const double z = first(u) ? 0.5 : 0.25, turn = 2 * pi * u[(axis + 1) % 2 == axis ? 1 - axis : (axis + 1) % 2];
-                    return std::optional(glm::dvec3(std::sqrt(1 - z * z) * std::cos(turn), std::sqrt(1 - z * z) * std::sin(turn), z));
+                    return std::optional(detail::direction<double>(first(u) ? 0.5 : 0.25, 2 * pi * u[axis == 0 ? 1 : 0]));
                 },
                 3);
             const auto mean = over_u.of<1>(
@@ -332,11 +334,12 @@ TEST_CASE("means over the numbers of a sampler, cut where it jumps", "[testkit]"
             CHECK(mean.value[0] == Catch::Approx((p + 3 * (1 - p)) * 1.5).epsilon(1e-6));
             CHECK(mean.error[0] < 1e-4);
         }
-    // A third number that changes everything: within its error. The plane z = x cuts fewer than 2 of 12 cubes, the spread there is at most 1/2:
-    // 6 sqrt(2/12/4/(32 12^3)) = 5.2e-3.
-    const detail::expectation<double> over_u([](const glm::dvec3& u) { return std::optional(lobe::normalize(u + glm::dvec3(0, 0, 1))); }, 3);
-    const auto mean = over_u.of<1>([](const glm::dvec3& u) { return std::array{u.x * u.y * u.z + (u.z < u.x ? 1 : 0)}; },
-                                   detail::budget_of(effort::quick), 1, 1);
+    // A third number that changes everything: within its error. The plane z = x cuts fewer than 2 of 12 cubes, the spread there is at most
+    // 1/2: 6 sqrt(2/12/4/(32 12^3)) = 5.2e-3.
+    const auto moved = [](const glm::dvec3& u) { return std::optional(lobe::normalize(u + glm::dvec3(0, 0, 1))); };
+    const detail::expectation<double> over_u(moved, 3);
+    const auto value = [](const glm::dvec3& u) { return std::array{u.x * u.y * u.z + (u.z < u.x ? 1 : 0)}; };
+    const auto mean = over_u.of<1>(value, detail::budget_of(effort::quick), 1, 1);
     CHECK(std::abs(mean.value[0] - 0.625) < mean.error[0]);
     CHECK(mean.error[0] < 5.2e-3);
 }

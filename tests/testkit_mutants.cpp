@@ -143,8 +143,8 @@ material<T> phong(T n, bool retro = false) {
     return out;
 }
 
-/// Lambert below GGX: the Fresnel term of the view, from 1.04 to 2 times 0.5, is the share of the gloss. `number` selects the lobe: that of the
-/// radius (0), that of the azimuth (1), each stretched again; or a third one.
+/// Lambert below GGX: the Fresnel term of the view is the share of the gloss. `number` selects the lobe: that of the radius (0), that of
+/// the azimuth (1), each stretched again; or a third one.
 template <class Numbers>
 struct selecting {
     struct parts {

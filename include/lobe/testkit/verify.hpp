@@ -36,7 +36,10 @@ report verdict_on(const brdf_functions<T, N>& brdf, const options& o) {
     subject<T, N> b(brdf, o);
     properties<T, N> list(b);
     report thrown("");
-    const auto part = [&](const auto& f) { attempt(thrown, [&] { return b.last.text(); }, f); };
+    const auto part = [&](const auto& f) {
+        attempt(
+            thrown, [&] { return b.last.text(); }, f);
+    };
     const auto show_sample = [&](const vec3<T>& v, const vec3<T>& u, const drawn<T, N>& s) {
         if (!s.ok) return;
         const place<T> at{.v = v, .l = s.l, .u = u, .numbers = b.raw.numbers};
@@ -46,7 +49,7 @@ report verdict_on(const brdf_functions<T, N>& brdf, const options& o) {
 
     part([&] { sweep(b); });
     part([&] {
-        generator random(o.seed), random_of_u(o.seed);
+        generator random(o.seed), random_of_u(o.seed, 2);
         for (int i = 0; i < b.effort.pairs; ++i) {
             const auto [v, l] = random_pair<T>(random, i);
             if (!(v.z > T(0)) || !(l.z > T(0))) continue;
@@ -84,7 +87,7 @@ report verdict_on(const brdf_functions<T, N>& brdf, const options& o) {
 /// away from the surface. A scalar or rgb (or any spectrum that [] reads), in float or double. `sample(v, u)`, which returns l, weight and
 /// pdf of two random numbers, or of three where it takes no two, and `pdf(v, l)` are verified where they exist, each on its own.
 template <class B>
-[[nodiscard]] report (verify)(const B& brdf, const options& o = {}) {
+[[nodiscard]] report(verify)(const B& brdf, const options& o = {}) {
     using detail::has_any_f_cos, detail::returns_spectrum;
     constexpr bool callable = has_any_f_cos<B, vec3<double>> || has_any_f_cos<B, vec3<float>>;
     static_assert(callable, "no f_cos(v, l), nor a call (v, l), that is const and takes glm::vec3 or glm::dvec3");

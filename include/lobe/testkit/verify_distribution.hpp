@@ -43,7 +43,10 @@ report verdict_on(const distribution_functions<T>& ndf, const options& o) {
     if (!r.passed()) return r;
     distribution<T> n(ndf, o);
     report found("");
-    const auto part = [&](const auto& f) { attempt(found, [&] { return n.last.text(); }, f); };
+    const auto part = [&](const auto& f) {
+        attempt(
+            found, [&] { return n.last.text(); }, f);
+    };
     part([&] { sweep(n); });
     for (const auto& property : {normalisation<T>, isotropy_of_D<T>, areas<T>, all_normals<T>, visible_normals<T>})
         part([&] { property(n, found); });

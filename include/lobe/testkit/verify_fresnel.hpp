@@ -13,9 +13,11 @@ report verdict_on(const fresnel_functions<T, N>& functions, const options& o) {
     report r = opened(o);
     if (!r.passed()) return r;
     reflectance<T, N> f{.raw = functions, .claims = o};
-    attempt(r, [&] { return literal(f.last); }, [&] {
-        for (const auto& property : {range<T, N>, shape<T, N>, average<T, N>}) property(f, r);
-    });
+    attempt(
+        r, [&] { return literal(f.last); },
+        [&] {
+            for (const auto& property : {range<T, N>, shape<T, N>, average<T, N>}) property(f, r);
+        });
     return r;
 }
 

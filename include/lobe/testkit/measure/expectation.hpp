@@ -34,9 +34,9 @@ struct box {
     static double magnification(double t) { return 6 * t * (1 - t); }
 };
 
-/// `draw(u)` returns a direction where the sampler succeeds. The square is cut where it jumps to another lobe, and the boxes lie side by side
-/// in one mesh, which is fine from the start along the border between samples that succeed and that fail: an adaptive rule alone steps
-/// over a narrow tongue of it. What lies beyond the last step of a float in a box, where heavy tails may hide, counts as error.
+/// `draw(u)` returns a direction where the sampler succeeds. The square is cut where it jumps to another lobe, and the boxes lie side by
+/// side in one mesh, which is fine from the start along the border between samples that succeed and that fail: an adaptive rule alone
+/// steps over a narrow tongue of it. What lies beyond the last step of a float in a box, where heavy tails may hide, counts as error.
 template <class T>
 class expectation {
 public:
@@ -119,8 +119,9 @@ private:
         return out;
     }
 
-    /// Where the third number does more than select a lobe no mesh of the square will do: the mean of 32 means, each of one sample in each of
-    /// 12^3 cubes. The error is six times what their spread says: exceeded by one in 1e6, where the tails are not heavy (Student, 31 degrees).
+    /// Where the third number does more than select a lobe, no mesh of the square will do: the mean of 32 means, each of one sample in each
+    /// of 12^3 cubes. The error is six times what their spread says: exceeded by one in 1e6, where the tails are not heavy (Student, 31
+    /// degrees of freedom).
     template <std::size_t N>
     mean<N> by_chance(const integrand<N>& value) const {
         constexpr int rounds = 32, n = 12;

@@ -20,13 +20,13 @@ namespace lobe::testkit::detail {
 template <class T>
 using drawing = std::function<std::optional<vec3<T>>(const vec3<T>& u)>;
 
-/// Looks along lines: where a sample is further from the one before than its neighbours are, the interval is halved until it holds one step of
-/// T. A jump that is found on other lines, too, is the border of a lobe; one that is not is a curve in the square, which is left to the mesh.
+/// Looks along lines: an interval across which samples move further than across its neighbours is cut, and halved until it holds one step
+/// of T. A jump that is there on other lines, too, is the border of a lobe; one that is not is a curve in the square, left to the mesh.
 template <class T>
 class jumps {
 public:
     std::array<std::vector<T>, 3> at{};  // increasing, in (0,1): the first number after the jump
-    bool selects = true;  // the third number does nothing between its jumps, which are the same for all x and y
+    bool selects = true;                 // the third number does nothing between its jumps, which are the same for all x and y
 
     jumps(const drawing<T>& sampler, int numbers) : draw(sampler) {
         for (int axis = 0; axis < numbers; ++axis) {
@@ -106,8 +106,7 @@ private:
         std::vector<T> found;
         for (const std::size_t i : suspects(coarse)) {
             std::vector<T> between;
-            for (int k = 0; k <= 12; ++k)
-                between.push_back(coarse.x[i] + (coarse.x[i + 1] - coarse.x[i]) * static_cast<T>(k) / T(12));
+            for (int k = 0; k <= 12; ++k) between.push_back(coarse.x[i] + (coarse.x[i + 1] - coarse.x[i]) * static_cast<T>(k) / T(12));
             const scan fine = scanned(axis, l, std::move(between));
             for (const std::size_t k : suspects(fine))
                 if (const auto jump = halved(axis, l, fine.x[k], fine.o[k], fine.x[k + 1], fine.o[k + 1])) found.push_back(*jump);

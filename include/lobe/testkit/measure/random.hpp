@@ -10,10 +10,10 @@
 
 namespace lobe::testkit::detail {
 
-/// Uniform in [0,1), the same on every platform.
+/// Uniform in [0,1), the same on every platform. Each user has a stream of its own: none changes what another one draws.
 class generator {
 public:
-    explicit generator(std::uint64_t seed) : engine(seed) {}
+    explicit generator(std::uint64_t seed, std::uint64_t stream = 0) : engine(seed + stream * 0x9e3779b97f4a7c15u) {}
     double operator()() { return static_cast<double>(engine() >> 11) * 0x1p-53; }
     double log_between(double low, double high) { return low * std::exp((*this)() * std::log(high / low)); }
 

@@ -40,7 +40,9 @@ struct place {
     const char* first = "v";  // what v is: a normal, in places of a distribution
     std::string text() const {
         return (has_v ? literal(first, v) : "") + (has_l ? literal("l", l) : "") +
-               (numbers == 2 ? literal("u", vec2<T>(u.x, u.y)) : numbers == 3 ? literal("u", u) : "");
+               (numbers == 2   ? literal("u", vec2<T>(u.x, u.y))
+                : numbers == 3 ? literal("u", u)
+                               : "");
     }
 };
 

@@ -31,12 +31,11 @@ void inside(const points& p, report& r) {
     for (std::size_t i = 0; i < p.size(); ++i)
         for (const double x : {p[i].x, p[i].y})
             if (!(x >= 0 && x < 1)) {
-                r.add(id::points_inside,
-                      {.passed = false,
-                       .measured = x,
-                       .input = "point " + std::to_string(i) + ": " + literal("u", vec2<T>(p[i])),
-                       .meaning = same(x, 1) ? "rounding or i/(n-1) reaches 1: what takes u in [0,1) breaks there"
-                                             : "a coordinate is outside the unit square"});
+                r.add(id::points_inside, {.passed = false,
+                                          .measured = x,
+                                          .input = "point " + std::to_string(i) + ": " + literal("u", vec2<T>(p[i])),
+                                          .meaning = same(x, 1) ? "rounding or i/(n-1) reaches 1: what takes u in [0,1) breaks there"
+                                                                : "a coordinate is outside the unit square"});
                 return;
             }
     r.add(id::points_inside, {});
@@ -69,7 +68,8 @@ inline void evenness(const points& p, report& r) {
           {.passed = found <= random / 2,
            .measured = found,
            .tolerance = random / 2,
-           .meaning = "the L2 star discrepancy is no better than that of random points: the two coordinates are correlated, or badly seeded"});
+           .meaning =
+               "the L2 star discrepancy is no better than that of random points: the two coordinates are correlated, or badly seeded"});
 }
 
 }  // namespace detail

@@ -15,9 +15,8 @@ namespace id {
 struct of_values {
     property_id finite, not_negative, vanishes_below;
 };
-inline constexpr of_values f_cos{{"f_cos_finite", "f_cos is finite"},
-                                 {"f_cos_not_negative", "f_cos is not negative"},
-                                 {"f_cos_vanishes_below", "f_cos vanishes below"}};
+inline constexpr of_values f_cos{
+    {"f_cos_finite", "f_cos is finite"}, {"f_cos_not_negative", "f_cos is not negative"}, {"f_cos_vanishes_below", "f_cos vanishes below"}};
 inline constexpr of_values pdf{{"pdf_finite", "pdf is finite"}, {"pdf_not_negative", "pdf is not negative"}, {}};
 inline constexpr of_values sample{{"sample_finite", "sample is finite"},
                                   {"sample_not_negative", "sample is not negative"},
@@ -33,7 +32,8 @@ namespace detail {
 template <class T>
 void report_values(report& r, const watch<T>& seen, const id::of_values& of, const std::string& why_below = "") {
     const auto share = [&](long n) {
-        return " (" + number(100.0 * static_cast<double>(n) / static_cast<double>((std::max)(seen.calls, 1L)), "%.3g") + " % of the values)";
+        return " (" + number(100.0 * static_cast<double>(n) / static_cast<double>((std::max)(seen.calls, 1L)), "%.3g") +
+               " % of the values)";
     };
     const auto add = [&](const property_id& property, const typename watch<T>::fault& f, const std::string& meaning) {
         r.add(property,
@@ -84,8 +84,8 @@ public:
                .measured = static_cast<double>(brdf.light_without_pdf),
                .input = brdf.light_without_pdf ? brdf.light_place.text() : "",
                .meaning = brdf.largest > 0 ? "a sample with pdf 0 has failed: its weight must be 0"
-                                        : "pdf is 0 and the weight is not: a perfect mirror, whose f_cos is a delta that no density "
-                                          "describes; verify it with a small roughness, or leave it out"});
+                                           : "pdf is 0 and the weight is not: a perfect mirror, whose f_cos is a delta that no density "
+                                             "describes; verify it with a small roughness, or leave it out"});
     }
 };
 

@@ -32,11 +32,7 @@ public:
         const auto& E = from.reflected;
         for (std::size_t k = 0; k < N; ++k)
             if (!is_padding<N>(k, E.value[k]))
-                of_view.add({.measured = E.value[k],
-                             .expected = 1,
-                             .allowed = from.allowed + E.error[k],
-                             .v = from.w,
-                             .input = from.text});
+                of_view.add({.measured = E.value[k], .expected = 1, .allowed = from.allowed + E.error[k], .v = from.w, .input = from.text});
     }
     void report_to(report& r) override { of_view.report_to(r); }
 

@@ -19,7 +19,7 @@ class isotropy : public brdf_property<T, N> {
 public:
     using typename brdf_property<T, N>::pair, typename brdf_property<T, N>::values, typename brdf_property<T, N>::V;
     explicit isotropy(subject<T, N>& judged)
-        : brdf_property<T, N>(judged), random(judged.claims.seed),
+        : brdf_property<T, N>(judged), random(judged.claims.seed, 3),
           turned(id::isotropy, judged.claims.tolerance,
                  "the value changes when v and l turn about the normal: it is anisotropic, or reads x or y alone") {}
 

@@ -14,8 +14,10 @@
 namespace lobe::testkit {
 
 namespace id {
-inline constexpr of_values D{{"D_finite", "D is finite"}, {"D_not_negative", "D is not negative"}, {"D_vanishes_below", "D vanishes below"}};
-inline constexpr of_values area{{"area_finite", "the projected area is finite"}, {"area_not_negative", "the projected area is not negative"}, {}};
+inline constexpr of_values D{
+    {"D_finite", "D is finite"}, {"D_not_negative", "D is not negative"}, {"D_vanishes_below", "D vanishes below"}};
+inline constexpr of_values area{
+    {"area_finite", "the projected area is finite"}, {"area_not_negative", "the projected area is not negative"}, {}};
 inline constexpr property_id D_not_0{"D_not_always_0", "D is not always 0"};
 inline constexpr property_id unit_normals{"unit_normals", "sampled normals are unit"};
 inline constexpr property_id D_integral{"D_integral", "integral of D cos(theta) = 1"};
@@ -30,8 +32,7 @@ void values_of_distribution(distribution<T>& n, report& r) {
                         .measured = n.largest,
                         .expected = n.largest,
                         .meaning = "D returned 0 for every normal: nothing can be verified"});
-    report_values(r, n.of_D, id::D,
-                  "light from below the horizon is reflected: the sign of a cosine is lost (abs) or never looked at");
+    report_values(r, n.of_D, id::D, "light from below the horizon is reflected: the sign of a cosine is lost (abs) or never looked at");
     if (n.raw.area) report_values(r, n.of_area, id::area);
     if (n.raw.sample || n.raw.sample_visible)
         r.add(id::unit_normals, {.passed = n.lengths.holds(),

@@ -34,9 +34,9 @@ public:
     }
 
 private:
-    static constexpr const char* why =
-        "f(v,l) is not f(l,v): a Fresnel term of n.v or n.l instead of v.h, a masking of one direction only, or a diffuse weight that looks "
-        "at one side (if that is meant: options.reciprocal = false)";
+    static constexpr const char* why = "f(v,l) is not f(l,v): a Fresnel term of n.v or n.l instead of v.h, a masking of one direction "
+                                       "only, or a diffuse weight that looks "
+                                       "at one side (if that is meant: options.reciprocal = false)";
     comparison<T> both;
 };
 

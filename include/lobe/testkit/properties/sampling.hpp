@@ -123,8 +123,7 @@ class weights : public brdf_property<T, N> {
 public:
     using typename brdf_property<T, N>::sample;
     explicit weights(subject<T, N>& judged)
-        : brdf_property<T, N>(judged),
-          product(id::weight_times_pdf, judged.claims.tolerance, "the weight of a sample is not f_cos / pdf"),
+        : brdf_property<T, N>(judged), product(id::weight_times_pdf, judged.claims.tolerance, "the weight of a sample is not f_cos / pdf"),
           same_pdf(id::same_pdf, judged.claims.tolerance,
                    "sample and pdf are two formulas: another width, another measure, or another lobe") {}
 

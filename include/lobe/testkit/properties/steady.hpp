@@ -15,7 +15,7 @@ template <class T, std::size_t N>
 class steady : public brdf_property<T, N> {
 public:
     using typename brdf_property<T, N>::pair;
-    explicit steady(subject<T, N>& judged) : brdf_property<T, N>(judged), random(judged.claims.seed) {}
+    explicit steady(subject<T, N>& judged) : brdf_property<T, N>(judged), random(judged.claims.seed, 1) {}
 
     void at_pair(const pair& p) override {
         if (asked++ >= 256) return;

@@ -18,7 +18,8 @@ public:
     using values = std::array<double, N>;
 
     subject(brdf_functions<T, N> judged, const options& claimed)
-        : raw(std::move(judged)), claims(claimed), effort(budget_of(claimed.effort)), isotropic(claimed.isotropic.value_or(raw.isotropic)) {}
+        : raw(std::move(judged)), claims(claimed), effort(budget_of(claimed.effort)), isotropic(claimed.isotropic.value_or(raw.isotropic)) {
+    }
 
     bool has_pdf() const { return static_cast<bool>(raw.pdf); }
     bool has_sample() const { return static_cast<bool>(raw.sample); }

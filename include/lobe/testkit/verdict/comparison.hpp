@@ -113,9 +113,8 @@ public:
                 return;
             }
         }
-        r.add(property, {.measured = at.measured,
-                         .expected = at.expected,
-                         .tolerance = (std::max)(allowed, tolerance * std::abs(at.expected))});
+        r.add(property,
+              {.measured = at.measured, .expected = at.expected, .tolerance = (std::max)(allowed, tolerance * std::abs(at.expected))});
     }
 
 private:

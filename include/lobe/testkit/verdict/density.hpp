@@ -92,12 +92,13 @@ public:
     void report_to(report& r) const {
         total.report_to(r);
         means.report_to(r);
-        r.add(follow, {.passed = least >= significance(),
-                       .measured = least,
-                       .expected = 1,
-                       .tolerance = significance(),
-                       .input = least_at,
-                       .meaning = "the samples are distributed otherwise than the density says: the two differ in roughness, axes or measure"});
+        r.add(follow,
+              {.passed = least >= significance(),
+               .measured = least,
+               .expected = 1,
+               .tolerance = significance(),
+               .input = least_at,
+               .meaning = "the samples are distributed otherwise than the density says: the two differ in roughness, axes or measure"});
     }
 
 private:

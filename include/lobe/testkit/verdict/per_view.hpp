@@ -40,9 +40,8 @@ public:
         if (!count) return;
         std::string meaning;
         if (!holds())
-            meaning = lacks_one_over_pi()
-                          ? "the same albedo from everywhere, plausible once divided by pi: a missing 1/pi"
-                          : explain(wrong, result.measured < result.expected && !too_small.empty() ? too_small : otherwise);
+            meaning = lacks_one_over_pi() ? "the same albedo from everywhere, plausible once divided by pi: a missing 1/pi"
+                                          : explain(wrong, result.measured < result.expected && !too_small.empty() ? too_small : otherwise);
         r.add(property, {.passed = holds(),
                          .measured = result.measured,
                          .expected = result.expected,

@@ -35,8 +35,7 @@ public:
 
     void at_view(const view& from) override {
         for (const auto& p : from.some)
-            one_direction =
-                (std::max)(one_direction, static_cast<double>(std::count(from.some.begin(), from.some.end(), p)) / from.asked);
+            one_direction = (std::max)(one_direction, static_cast<double>(std::count(from.some.begin(), from.some.end(), p)) / from.asked);
     }
 
     /// Explains what is about samples; reports nothing of its own.

@@ -73,8 +73,8 @@ public:
     std::string text;  // v, as C++
     std::uint64_t seed;
     half_vector_chart chart;
-    hints some;     // where samples lie
-    int asked = 0;  // of how many
+    hints some;                            // where samples lie
+    int asked = 0;                         // of how many
     std::optional<expectation<T>> over_u;  // where there are samples
 
     integrals<N> reflected{}, weighted{};
@@ -127,7 +127,6 @@ private:
         for (std::size_t k = 0; k < 5; ++k) out.moment[k] = value[N + k], out.moment_error[k] = error[N + k];
         return out;
     }
-
 };
 
 }  // namespace lobe::testkit::detail
