@@ -3,6 +3,7 @@
 
 #include <lobe/core/vector.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>

@@ -4,6 +4,7 @@
 #include <lobe/testkit/measure/rounding.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace lobe::testkit::detail {
 

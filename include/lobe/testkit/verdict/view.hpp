@@ -8,6 +8,7 @@
 #include <lobe/testkit/measure/rounding.hpp>
 #include <lobe/testkit/subject/subject.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
