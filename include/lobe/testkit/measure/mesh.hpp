@@ -1,6 +1,8 @@
 // Integrals over a rectangle by an adaptive mesh, which finds narrow peaks by itself and whose cells then serve as bins.
 #pragma once
 
+#include <lobe/core/cpp20.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
