@@ -40,7 +40,7 @@ public:
     /// ( a (m.m) / (x^2 + y^2 + a^2 z^2) )^2. Components, because 1 - z^2 cancels; no square of a^2.
     constexpr T density_ratio(const vec3<T>& m) const {
         const vec3<T> s = unstretch(m);
-        const T q = dot(s, s), k = quotient(q > T(0), a * dot(m, m), q);
+        const T q = dot(s, s), k = quotient(q > detail::least<T>(), a * dot(m, m), q);
         return k * k;
     }
 
@@ -90,7 +90,7 @@ public:
     /// (m.m)^2 / (ax ay ((x/ax)^2 + (y/ay)^2 + z^2)^2). Numerator and denominator share the squares, so what rounding does to them cancels.
     constexpr T density_ratio(const vec3<T>& m) const {
         const T xx = m.x * m.x, yy = m.y * m.y, zz = m.z * m.z, p = ax * ay;
-        const T q = ay / ax * xx + ax / ay * yy + p * zz, k = quotient(q > T(0), xx + yy + zz, q);
+        const T q = ay / ax * xx + ax / ay * yy + p * zz, k = quotient(q > detail::least<T>(), xx + yy + zz, q);
         return k * k * p;
     }
 

@@ -31,15 +31,6 @@ constexpr T largest() {
         return T(1e300);
 }
 
-/// The smallest normal number: what stands for a divisor of zero.
-template <scalar T>
-constexpr T least() {
-    if constexpr (std::numeric_limits<lane_t<T>>::is_specialized)
-        return T((std::numeric_limits<lane_t<T>>::min)());
-    else
-        return T(1e-300);
-}
-
 /// The cosine that stands for zero: its square times the square of a width (1e-4 in float) is still a number.
 template <scalar T>
 constexpr T zero_cosine() {
