@@ -13,7 +13,8 @@ namespace lobe {
 /// v, l unit, in tangent space; f, f_cos, pdf are zero unless both are above the horizon. Reciprocal to rounding.
 /// Error of f_cos and pdf, GGX and Schlick, for v and l as they are given: 20 ULP.
 /// Sampled where the sampler can draw normals of the distribution.
-/// Domain: cosines of 1e-18 and more in float, 1e-150 in double; below, where l nears -v, |v + l|^2 is no number any more, nor is f.
+/// Domain: any two directions. Above the horizon are cosines of more than 2^-60, 8.7e-19, in float, 2^-500, 3e-151, in double (`horizon`): where
+/// l nears -v, |v + l|^2 is a number from there on. D needs alpha^2 |v + l|^2 as well, and is 0 where that is below the smallest normal number.
 template <class N, class M, class F, class Sampler = visible_caps>
 class microfacet : exact_vectors {
     static_assert(distribution<N>, "the first part of a microfacet BRDF is a distribution of normals");
@@ -37,7 +38,8 @@ public:
     // (Inlined by force, all of it: compilers would call what they meet twice, and a loop with a call does not vectorise.)
     [[gnu::always_inline]] constexpr S f(const vec3<T>& v, const vec3<T>& l) const {
         const half h(v + l);
-        return fresnel_(h.v_m) * quotient(above_horizon(v, l), ndf.D(h.s), T(4) * shadow.denominator(ndf, v, l));
+        const T beside_F = quotient(above_horizon(v, l), ndf.D(h.s), T(4) * shadow.denominator(ndf, v, l));
+        return fresnel_(h.v_m) * smaller(beside_F, detail::largest<T>());  // F = 0 times infinity is a NaN
     }
 
     [[gnu::always_inline]] constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const {
@@ -64,21 +66,21 @@ public:
                 quotient(above, D, sampler.area(ndf, v, h.v_m, h.m_z(), sv))};
     }
 
-    /// Domain: v above the horizon, u in [0,1)^2. Fails where the sampled facet reflects v below the horizon, or its density is below the
-    /// smallest number of T.
+    /// u in [0,1)^2. Fails where v is below the horizon or the sampled facet reflects it there, or its density is below the smallest number
+    /// of T.
     [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const
         requires normal_sampler<Sampler, N>
     {
-        using std::abs;
-        const vec3<T> w{v.x, v.y, abs(v.z)};  // from straight below no normal is visible
+        const vec3<T> w = upward(v);  // from straight below no normal is visible
         const vec3<T> m = sampler.sample(ndf, w, u);
         const vec3<T> l = reflect(w, m);
         const auto above = above_horizon(v, l);
         const T v_m = dot(w, m), sv = detail::area_above(ndf, w);
-        const T area = sampler.area(ndf, w, v_m, m.z, sv), density = ndf.D(vec3<T>{m.x, m.y, abs(m.z)}) / (T(4) * area);
+        const T area = sampler.area(ndf, w, v_m, m.z, sv), density = ndf.D(upward(m)) / (T(4) * area);
         const auto valid = above && density > T(0);  // a Gaussian tail may underflow
         return {select(valid, l, vec3<T>{T(0), T(0), T(1)}),
-                fresnel_(select(valid, smaller(v_m, T(1)), T(1))) * quotient(valid, l.z * area, shadow.denominator(ndf, w, l, sv)), select(valid, density, T(0))};
+                fresnel_(select(valid, smaller(v_m, T(1)), T(1))) * quotient(valid, l.z * area, shadow.denominator(ndf, w, l, sv)),
+                select(valid, density, T(0))};
     }
 
     /// F(n.v): what a composition shares its samples by.
@@ -87,16 +89,18 @@ public:
     constexpr vec2<T> width() const { return ndf.width(); }
 
 private:
-    /// The half vector as v + l, or where that is below the horizon its mirror image: nothing asks for it, and D need not look.
+    /// w, or where that is below the horizon, where nothing is asked for, its mirror image: so no formula has to look where w is.
+    static constexpr vec3<T> upward(const vec3<T>& w) {
+        using std::abs;
+        return {w.x, w.y, abs(w.z)};
+    }
+
+    /// The half vector as v + l.
     struct half {
         vec3<T> s;
         T v_m;  // v.m = |s|/2, which rounding may take above 1
-        constexpr explicit half(const vec3<T>& sum) : s{sum.x, sum.y, magnitude(sum.z)}, v_m(smaller(length(sum) / T(2), T(1))) {}
+        constexpr explicit half(const vec3<T>& sum) : s(upward(sum)), v_m(smaller(length(s) / T(2), T(1))) {}
         constexpr T m_z() const { return quotient(v_m > T(0), s.z, T(2) * v_m); }
-        static constexpr T magnitude(const T& x) {
-            using std::abs;
-            return abs(x);
-        }
     };
 
     [[no_unique_address]] N ndf;

@@ -83,6 +83,15 @@ constexpr T least() {
         return T(0);
 }
 
+/// The largest finite number in a lane of T. Infinity stays out of formulas: inf - inf and 0 * inf are NaN.
+template <scalar T>
+constexpr T largest() {
+    if constexpr (std::numeric_limits<lane_t<T>>::is_specialized)
+        return T((std::numeric_limits<lane_t<T>>::max)());
+    else
+        return T(1e300);
+}
+
 }  // namespace detail
 
 /// Above the horizon are cosines of more than this, 2^-60 in float and 2^-500 in double. Below it squares underflow: that of v + l, where l
