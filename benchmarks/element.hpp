@@ -1,15 +1,13 @@
 // One element of the inputs, in float for the kernels and in long double for what they are measured against.
 #pragma once
 
-#include "truth.hpp"
+#include "inputs.hpp"
 
 #include <lobe/ndf/abc.hpp>
 #include <lobe/ndf/exponential_power.hpp>
 #include <lobe/ndf/gtr.hpp>
 #include <lobe/ndf/phong.hpp>
 #include <lobe/ndf/sgd.hpp>
-
-using truth::real;
 
 /// A shape without the table of its area: each area is an integral.
 template <class Shape>
@@ -71,8 +69,11 @@ struct element {
     vec2 u() const { return {at(in.u1), at(in.u2)}; }
     vec3 F0() const { return at(in.r, in.g, in.b); }
     T v_m() const { return at(in.v_m); }
+    T a() const { return at(in.a); }
+    T turn() const { return at(in.turn); }
+    std::uint32_t index() const { return in.index[i]; }
     T fraction() const { return at(in.more.fraction); }
-    lobe::alpha<T> alpha() const { return lobe::alpha<T>(at(in.a)); }
+    lobe::alpha<T> alpha() const { return lobe::alpha<T>(a()); }
     lobe::alpha_xy<T> alpha_xy() const { return {at(in.ax), at(in.ay)}; }
 
     const prebuilt<T>& built() const {

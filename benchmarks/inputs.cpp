@@ -1,4 +1,4 @@
-#include "inputs.hpp"
+#include "element.hpp"
 
 #include <lobe/fresnel/f82_tint.hpp>
 #include <lobe/fresnel/ior.hpp>
@@ -77,7 +77,7 @@ void set_average_albedos(inputs& in) {
         const lobe::vec3<double> F0{in.r[i], in.g[i], in.b[i]};
         for (std::size_t k = 0; k < rule.x.size(); ++k) {
             const double mu = rule.x[k];
-            const auto t = (*in.table)(static_cast<float>(mu), lobe::alpha{in.a[i]});
+            const auto t = in.built->dfg(static_cast<float>(mu), lobe::alpha{in.a[i]});
             average += (F0 * double(t.scale) + double(t.bias)) * (2 * rule.w[k] * mu);
         }
         store(average, in.more.E_avg, i);

@@ -59,7 +59,6 @@ struct inputs {
     std::uint32_t points = 0;
     parameters more;
 
-    const lobe::dfg_table<float, lobe::smith_correlated>* table = nullptr;
     const textbook_table* baked = nullptr;
     const prebuilt<float>* built = nullptr;
     const prebuilt<long double>* built_exactly = nullptr;
@@ -71,5 +70,5 @@ enum class set { usual, extreme };
 /// extreme: alpha 1e-4 (anisotropic: 1e-4 by up to 1); indices up to 2^32 - 1; turns within 1e-3 of a multiple of 1/4.
 inputs make_inputs(set which);
 
-/// Fills in E_avg, from the table.
+/// Fills in E_avg, from the prebuilt table.
 void set_average_albedos(inputs& in);

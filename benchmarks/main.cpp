@@ -1,8 +1,10 @@
 // trade_report --out FILE [--benchmark_...]: measures every row and writes the report.
-#include "models.hpp"
+#include "element.hpp"
+#include "errors.hpp"
+#include "make_kernel.hpp"
 #include "report.hpp"
+#include "textbook.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -68,48 +70,54 @@ arguments parse(int argc, char** argv) {
     return a;
 }
 
-std::vector<kernel> avx2() {
+std::string text_of(const std::string& path) {
+    std::ifstream file(path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    if (!file) throw std::runtime_error("cannot read " + path);
+    return text.str();
+}
+
+/// The rows for AVX2, where this processor has it.
+std::vector<section> avx2() {
 #ifdef BENCH_AVX2
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return avx2_kernels();
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return avx2_sections();
 #endif
     return {};
 }
 
-using results = std::vector<float>;
+/// Reads one number: what the call or the loop itself costs.
+struct nothing {
+    [[gnu::always_inline]] static result<1> at(const inputs& in, std::size_t i) { return {in.vx[i]}; }
+};
 
-results results_of(const kernel& k, const inputs& in) {
-    results out(k.components * stride);
+std::vector<float> results_of(const kernel& k, const inputs& in) {
+    std::vector<float> out(k.components * stride);
     k.loop(in, out.data());
     return out;
 }
 
-const kernel* find(const std::vector<kernel>& kernels, const std::string& name) {
-    const auto found = std::ranges::find(kernels, name, &kernel::name);
-    return found == kernels.end() ? nullptr : &*found;
-}
-
-void measure_errors(measurements& measured, const std::vector<section>& sections, const std::vector<kernel>& kernels,
-                    const std::vector<kernel>& with_avx2, const inputs& usual, const inputs& extreme) {
-    for (const section& s : sections)
-        for (const row& r : s.rows) {
-            const kernel* k = find(kernels, r.kernel);
-            if (!k) throw std::logic_error("no kernel " + r.kernel);
-            if (!k->components) continue;
-            const kernel* k2 = find(with_avx2, r.kernel);
-            for (const auto& [in, errors] : {std::pair{&usual, &measured.usual}, {&extreme, &measured.extreme}}) {
-                const results values = results_of(*k, *in), values2 = k2 ? results_of(*k2, *in) : results();
-                for (const reference& against : r.references)
-                    for (const metric& m : s.metrics) {
-                        const error_summary e = error_of(m, against.exact, *in, values.data());
-                        (*errors)[r.kernel].push_back(e);
-                        if (!k2 || !(e.largest > 0)) continue;
-                        const double factor = error_of(m, against.exact, *in, values2.data()).largest / e.largest;
-                        if (factor > measured.avx2_factor) {
-                            measured.avx2_factor = factor;
-                            measured.avx2_worst = s.title + ": " + r.label;
-                        }
+/// `part`: all sections. `with_avx2`: the same, or none.
+void measure_errors(measurements& measured, const std::vector<section*>& part, const std::vector<section>& with_avx2, const inputs& in,
+                    std::vector<error_summary> row::*errors) {
+    for (std::size_t n = 0; n < part.size(); ++n)
+        for (std::size_t k = 0; k < part[n]->rows.size(); ++k) {
+            row& r = part[n]->rows[k];
+            if (r.references.empty()) continue;
+            const auto values = results_of(r.code, in);
+            const auto values2 = with_avx2.empty() ? values : results_of(with_avx2[n].rows[k].code, in);
+            for (const reference& against : r.references)
+                for (const metric& m : part[n]->metrics) {
+                    const std::vector<real>& exact = exact_results(against.exact, in);
+                    const error_summary e = error_of(m, exact, in, values);
+                    (r.*errors).push_back(e);
+                    if (!(e.largest > 0)) continue;
+                    const double factor = error_of(m, exact, in, values2).largest / e.largest;
+                    if (factor > measured.avx2_factor) {
+                        measured.avx2_factor = factor;
+                        measured.avx2_worst = r.name;
                     }
-            }
+                }
         }
 }
 
@@ -120,18 +128,23 @@ struct alignas(4096) memory {
     std::array<float, 8 * stride> out{};
 };
 
-std::map<std::string, timing> measure_times(const std::vector<kernel>& kernels, const std::vector<kernel>& with_avx2, const inputs& usual) {
+std::map<std::string, timing> measure_times(const std::vector<section*>& part, const std::vector<section>& with_avx2, const inputs& usual) {
     const auto arrays = std::make_unique<memory>();
     const inputs& in = arrays->in = usual;
     float* const out = arrays->out.data();
     volatile std::uint32_t zero = 0;
     std::vector<job> jobs;
-    for (const kernel& k : kernels) {
-        jobs.push_back({k.name + "/one", [&k, &in, &zero] { zero = zero & k.one_at_a_time(in, zero); }});
-        if (k.loop_is_timed) jobs.push_back({k.name + "/loop", [&k, &in, out] { k.loop(in, out); }});
-    }
-    for (const kernel& k : with_avx2)
-        if (k.loop_is_timed) jobs.push_back({k.name + "/avx2", [&k, &in, out] { k.loop(in, out); }});
+    const auto add = [&](const std::string& name, const kernel& k) {
+        jobs.push_back({name + "/one", [&k, &in, &zero] { zero = zero & k.one_at_a_time(in, zero); }});
+        if (k.loop_is_timed) jobs.push_back({name + "/loop", [&k, &in, out] { k.loop(in, out); }});
+    };
+    const kernel of_nothing = kernel_of<nothing>();
+    add("nothing", of_nothing);
+    for (const section* s : part)
+        for (const row& r : s->rows) add(r.name, r.code);
+    for (const section& s : with_avx2)
+        for (const row& r : s.rows)
+            if (r.code.loop_is_timed) jobs.push_back({r.name + "/avx2", [&k = r.code, &in, out] { k.loop(in, out); }});
     std::cerr << "Measuring " << jobs.size() << " times: a minute or two on a quiet machine\n";
     return measure(jobs);
 }
@@ -141,36 +154,31 @@ void run(int argc, char** argv) {
     set_benchmark_options(options.benchmark);
     const whole_file file(options.out);
 
+    std::vector<section> foundation = foundation_sections(), models = model_sections();
+    const std::vector<section> with_avx2 = avx2();
+    std::vector<section*> all;
+    for (auto* part : {&foundation, &models})
+        for (section& s : *part) all.push_back(&s);
+    measurements measured;
+    measured.avx2 = !with_avx2.empty();
+    const std::string layout = text_of(BENCH_LAYOUT);
+    report(layout, foundation, models, measured);  // says at once, not after minutes of measuring, what does not fit
+
     inputs usual = make_inputs(set::usual), extreme = make_inputs(set::extreme);
-    const textbook_table baked = textbook_bake(32, 1024);
+    const textbook_table baked = textbook::bake(32, 1024);
     const prebuilt<float> built(0.3f), narrow(1e-4f);
     const prebuilt<real> built_exactly(0.3f), narrow_exactly(1e-4f);
     for (inputs* in : {&usual, &extreme}) {
         in->built = in == &usual ? &built : &narrow;
         in->built_exactly = in == &usual ? &built_exactly : &narrow_exactly;
-        in->table = &in->built->dfg;
         in->baked = &baked;
         set_average_albedos(*in);
     }
 
-    std::vector<kernel> kernels = baseline_kernels();
-    for (const kernel& k : quadrature_kernels()) kernels.push_back(k);
-    const std::vector<kernel> with_avx2 = avx2();
-    const std::vector<section> foundation = sections();
-    std::vector<section> models;
-    for (const model_section& s : all_models()) {
-        models.push_back(s.rows);
-        kernels.insert(kernels.end(), s.kernels.begin(), s.kernels.end());
-    }
-
-    measurements measured;
-    measured.avx2 = !with_avx2.empty();
-    measure_errors(measured, foundation, kernels, with_avx2, usual, extreme);
-    measure_errors(measured, models, kernels, with_avx2, usual, extreme);
-    measured.times = measure_times(kernels, with_avx2, usual);
-    std::ostringstream report;
-    write_report(report, foundation, models, measured);
-    file.write(report.str());
+    measure_errors(measured, all, with_avx2, usual, &row::usual);
+    measure_errors(measured, all, with_avx2, extreme, &row::extreme);
+    measured.times = measure_times(all, with_avx2, usual);
+    file.write(report(layout, foundation, models, measured));
     std::cout << "Wrote " << options.out << '\n';
 }
 

@@ -3,7 +3,7 @@
 // as a function with two callers it would be called, and a loop with a call does not vectorise.
 #pragma once
 
-#include "kernel.hpp"
+#include "rows.hpp"
 
 #include <bit>
 #include <utility>
@@ -45,8 +45,8 @@ template <class Variant>
 }
 
 template <class Variant>
-kernel kernel_of(const std::string& name) {
-    return {name, components<Variant>, one_at_a_time<Variant>, plain_loop<Variant>};
+kernel kernel_of() {
+    return {components<Variant>, one_at_a_time<Variant>, plain_loop<Variant>};
 }
 
 }  // namespace

@@ -37,12 +37,8 @@ constexpr auto of_ggx = [](const auto& e) {
 };
 constexpr auto of_beckmann = [](const auto& e) { return masked{lobe::smith_separable{}, beckmann{e.alpha()}}; };
 
-model_section masking_models() {
-    rows_of<G2> rows("Masking and shadowing",
-                     "G2, absolute errors. Exact: `smith_correlated` of GGX is what a height field without correlation in its normals "
-                     "does; `smith_separable` forgets that heights of one point are the same, and the others approximate what their rows "
-                     "say. `v_cavity` and `smith_direction_correlated` are other surfaces. k as in Karis 2013 and Schlick 1994.",
-                     {{"G2", unit_of_error::absolute, 0, 1}});
+section masking_models() {
+    rows_of<G2> rows("Masking and shadowing", {{"G2", unit_of_error::absolute, 0, 1}});
     constexpr auto correlated = of_ggx<lobe::smith_correlated>;
     constexpr auto separable = of_ggx<lobe::smith_separable>;
     const auto schlick = [&](const char* label, auto model) { rows.add(label, model, "`smith_separable`", separable); };
@@ -87,8 +83,8 @@ struct average_rgb {
 };
 
 template <class Operation>
-model_section glass(const char* title, const char* note, const char* of) {
-    rows_of<Operation> rows(title, note, {{of, unit_of_error::absolute, 0, 1}});
+section glass(const char* title, const char* of) {
+    rows_of<Operation> rows(title, {{of, unit_of_error::absolute, 0, 1}});
     constexpr auto exact = [](const auto& e) { return lobe::dielectric{e.at(e.in.more.eta)}; };
     constexpr auto schlick = [](const auto& e) { return lobe::schlick{e.at(e.in.more.f0)}; };
     rows.add("`dielectric`", exact);
@@ -100,8 +96,8 @@ model_section glass(const char* title, const char* note, const char* of) {
 }
 
 template <class Operation>
-model_section metal(const char* title, const char* note, const char* of) {
-    rows_of<Operation> rows(title, note, {{of, unit_of_error::absolute, 0, 3}});
+section metal(const char* title, const char* of) {
+    rows_of<Operation> rows(title, {{of, unit_of_error::absolute, 0, 3}});
     constexpr auto exact = [](const auto& e) { return lobe::conductor{e.at(e.in.more.metal_eta), e.at(e.in.more.metal_k)}; };
     rows.add("`conductor`", exact);
     rows.add(
@@ -117,11 +113,8 @@ model_section metal(const char* title, const char* note, const char* of) {
     return rows.made;
 }
 
-model_section diffuse_models() {
-    rows_of<f_cos> rows("Diffuse BRDFs: f_cos",
-                        "Rgb albedo, roughness anywhere in its domain, absolute errors in 1/sr. These are models of different surfaces, "
-                        "none exact; the fit of `eon` is compared with `eon`, which is `fon` with its energy kept.",
-                        {{"f_cos", unit_of_error::absolute, 0, 3}});
+section diffuse_models() {
+    rows_of<f_cos> rows("Diffuse BRDFs: f_cos", {{"f_cos", unit_of_error::absolute, 0, 3}});
     constexpr auto eon = [](const auto& e) { return lobe::eon{e.F0(), e.fraction()}; };
     rows.add("`lambert`", [](const auto& e) { return lobe::lambert{e.F0()}; });
     rows.add("`oren_nayar`, qualitative model of 1994", [](const auto& e) { return lobe::oren_nayar{e.F0(), e.fraction()}; });
@@ -140,17 +133,11 @@ model_section diffuse_models() {
 
 }  // namespace
 
-std::vector<model_section> brdf_part_models() {
+std::vector<section> brdf_part_models() {
     return {masking_models(),
-            glass<reflectance>("Fresnel: glass",
-                               "eta from 1.3 to 2.5, absolute errors. Exact: `dielectric`, Fresnel's equations. `schlick_roughness` is for "
-                               "image-based light and approximates no reflectance.",
-                               "F"),
-            metal<reflectance_rgb>("Fresnel: metals, rgb",
-                                   "Gold, silver, copper, iron, aluminium by turns; F0 and the tint are those of the metal. Absolute "
-                                   "errors. Exact: `conductor`, Fresnel's equations.",
-                                   "F"),
-            glass<average>("Fresnel: average of glass", "2 int F(u) u du: once a material. Absolute errors.", "F_avg"),
-            metal<average_rgb>("Fresnel: average of metals, rgb", "As above; `conductor` by 32 Gauss points.", "F_avg"),
+            glass<reflectance>("Fresnel: glass", "F"),
+            metal<reflectance_rgb>("Fresnel: metals, rgb", "F"),
+            glass<average>("Fresnel: average of glass", "F_avg"),
+            metal<average_rgb>("Fresnel: average of metals, rgb", "F_avg"),
             diffuse_models()};
 }

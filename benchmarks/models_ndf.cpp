@@ -44,8 +44,8 @@ constexpr auto anisotropic_beckmann = [](const auto& e) { return beckmann{e.alph
 constexpr auto anisotropic_walter = [](const auto& e) { return lobe::beckmann_walter{e.alpha_xy()}; };
 
 template <class Operation>
-rows_of<Operation> isotropic(const char* title, const char* note, const char* of) {
-    rows_of<Operation> rows(title, note, {{of, unit_of_error::relative, 0, 1}});
+rows_of<Operation> isotropic(const char* title, const char* of) {
+    rows_of<Operation> rows(title, {{of, unit_of_error::relative, 0, 1}});
     rows.add("`ggx`", isotropic_ggx);
     rows.add("`beckmann`", isotropic_beckmann);
     rows.add("`student_t`, gamma 2.5", []<class T>(const element<T>& e) { return lobe::student_t{e.alpha(), T(2.5f)}; });
@@ -79,8 +79,8 @@ rows_of<Operation> isotropic(const char* title, const char* note, const char* of
 }
 
 template <class Operation>
-rows_of<Operation> anisotropic(const char* title, const char* note, const char* of) {
-    rows_of<Operation> rows(title, note, {{of, unit_of_error::relative, 0, 1}});
+rows_of<Operation> anisotropic(const char* title, const char* of) {
+    rows_of<Operation> rows(title, {{of, unit_of_error::relative, 0, 1}});
     rows.add("`ggx`", anisotropic_ggx);
     rows.add("`beckmann`", anisotropic_beckmann);
     rows.add("`student_t`, gamma 2.5", []<class T>(const element<T>& e) { return lobe::student_t{e.alpha_xy(), T(2.5f)}; });
@@ -90,26 +90,15 @@ rows_of<Operation> anisotropic(const char* title, const char* note, const char* 
 
 }  // namespace
 
-std::vector<model_section> distribution_models() {
-    auto D = isotropic<density>(
-        "Distributions: D",
-        "Of the unit normals that GGX of the width has, in 1/sr. `phong`, `gtr`, `abc` and `sgd` have one width, 0.3 (extreme: 1e-4), as "
-        "their constructors normalise and tabulate. Relative errors where D is above 1e-30. Exact: the same formula in long double.",
-        "D");
-    auto D_xy = anisotropic<anisotropic_density>("Distributions: D, anisotropic", "As above, of two widths.", "D");
-    auto sigma = isotropic<area>("Distributions: projected area",
-                                 "sigma(v), what masking is made of. Exact: closed forms in long double; for those with a table the "
-                                 "integral of their facets. `beckmann_walter` is an approximation of `beckmann`.",
-                                 "sigma");
+std::vector<section> distribution_models() {
+    auto D = isotropic<density>("Distributions: D", "D");
+    auto D_xy = anisotropic<anisotropic_density>("Distributions: D, anisotropic", "D");
+    auto sigma = isotropic<area>("Distributions: projected area", "sigma");
     sigma.add("`beckmann_walter`", walter, "`beckmann`", isotropic_beckmann);
-    auto sigma_xy = anisotropic<area>("Distributions: projected area, anisotropic", "As above.", "sigma");
+    auto sigma_xy = anisotropic<area>("Distributions: projected area, anisotropic", "sigma");
     sigma_xy.add("`beckmann_walter`", anisotropic_walter, "`beckmann`", anisotropic_beckmann);
 
-    rows_of<lambda> L("Distributions: Lambda",
-                      "Smith's Lambda where it has a form of its own; elsewhere it is the area of the back faces over the cosine. Lambda: "
-                      "relative errors where it is above 1e-30, which for Beckmann of alpha 1e-4 it nowhere is; `beckmann_walter` has 0 "
-                      "from cot = 1.6 alpha on. 1 + Lambda, which is what masking sees of it: relative to the larger of 1 and Lambda.",
-                      {{"Lambda", unit_of_error::relative, 0, 1}, {"1 + Lambda", unit_of_error::weight, 0, 1}});
+    rows_of<lambda> L("Distributions: Lambda", {{"Lambda", unit_of_error::relative, 0, 1}, {"1 + Lambda", unit_of_error::weight, 0, 1}});
     L.add("`ggx`", isotropic_ggx);
     L.add("`beckmann`", isotropic_beckmann);
     L.add("`beckmann_walter`", walter, "`beckmann`", isotropic_beckmann);

@@ -26,11 +26,8 @@ constexpr vec3<T> light_position() {
     return {T(0.25f), T(0.5f), T(0.75f)};
 }
 
-model_section lights() {
-    rows_of<at_a_point> rows("Punctual lights",
-                             "Direction and illuminance at a point, of one light for all points (a `directional_light` returns what it was "
-                             "built from). The error of the illuminance is relative to at least 1.",
-                             {{"l", unit_of_error::absolute, 0, 3}, {"E", unit_of_error::weight, 3, 1}});
+section lights() {
+    rows_of<at_a_point> rows("Punctual lights", {{"l", unit_of_error::absolute, 0, 3}, {"E", unit_of_error::weight, 3, 1}});
     rows.add("`point_light`", []<class T>(const element<T>&) { return lobe::point_light{light_position<T>(), T(3)}; });
     rows.add("`point_light`, `inverse_square_within`", []<class T>(const element<T>&) {
         return lobe::point_light{light_position<T>(), T(3), lobe::inverse_square_within{T(1.5f)}};
@@ -57,9 +54,8 @@ Moments<T> averaged(const element<T>& e) {
     return (Moments<T>::of(vec3<T>{e.at(s[0]), e.at(s[1]), T(1)}) + Moments<T>::of(vec3<T>{e.at(s[2]), e.at(s[3]), T(1)})) * T(0.5f);
 }
 
-model_section antialiasing() {
-    rows_of<itself> rows("Anti-aliasing: an isotropic width", "Relative errors of the widened alpha, given normals, slopes or derivatives.",
-                         {{"alpha", unit_of_error::relative, 0, 1}});
+section antialiasing() {
+    rows_of<itself> rows("Anti-aliasing: an isotropic width", {{"alpha", unit_of_error::relative, 0, 1}});
     rows.add("Toksvig 2005, `widened` by `toksvig_variance`",
              [](const auto& e) { return number(lobe::widened(e.alpha(), lobe::toksvig_variance(e.at(e.in.more.length)))); });
     rows.add("Toksvig 2005, `toksvig_exponent`",
@@ -73,10 +69,8 @@ model_section antialiasing() {
     return rows.made;
 }
 
-model_section anisotropic_antialiasing() {
+section anisotropic_antialiasing() {
     rows_of<itself> rows("Anti-aliasing: widths along axes of their own",
-                         "Relative errors of both widths. The narrower is what is left when the matrix is diagonalised: its error grows "
-                         "with the square of the ratio of the widths.",
                          {{"wide", unit_of_error::relative, 0, 1}, {"narrow", unit_of_error::relative, 1, 1}});
     rows.add("LEAN, two `lean_moments`, `widened`",
              [](const auto& e) { return numbers(lobe::widened(e.alpha_xy(), averaged<lobe::lean_moments>(e).covariance()).width); });
@@ -87,8 +81,8 @@ model_section anisotropic_antialiasing() {
     return rows.made;
 }
 
-model_section conversions() {
-    rows_of<itself> rows("Roughness, exponent, index", "Relative errors.", {{"result", unit_of_error::relative, 0, 1}});
+section conversions() {
+    rows_of<itself> rows("Roughness, exponent, index", {{"result", unit_of_error::relative, 0, 1}});
     rows.add("`alpha::from_roughness`",
              []<class T>(const element<T>& e) { return number(lobe::alpha<T>::from_roughness(e.at(e.in.more.roughness))); });
     rows.add("`exponent_from_alpha`", [](const auto& e) { return one(lobe::exponent_from_alpha(e.alpha())); });
@@ -101,8 +95,8 @@ model_section conversions() {
     return rows.made;
 }
 
-model_section anisotropies() {
-    rows_of<itself> rows("Anisotropy", "Relative errors of the two widths.", {{"alpha x, y", unit_of_error::relative, 0, 2}});
+section anisotropies() {
+    rows_of<itself> rows("Anisotropy", {{"alpha x, y", unit_of_error::relative, 0, 2}});
     rows.add("`alpha_xy::from_disney`",
              []<class T>(const element<T>& e) { return numbers(lobe::alpha_xy<T>::from_disney(e.at(e.in.more.roughness), e.fraction())); });
     rows.add("`alpha_xy::from_imageworks`", []<class T>(const element<T>& e) {
@@ -147,11 +141,8 @@ result<3, T> mean_of_walks(const element<T>& e, int walks) {
 
 constexpr int walks = 4096;
 
-model_section multiple_scattering() {
-    rows_of<itself> rows("Multiple scattering",
-                         "The albedo of GGX with rgb Schlick, all bounces, absolute errors. Exact: the random walk of Heitz et al. 2016, "
-                         "the mean of 4096 walks, whose standard error is below 0.008.",
-                         {{"albedo", unit_of_error::absolute, 0, 3}});
+section multiple_scattering() {
+    rows_of<itself> rows("Multiple scattering", {{"albedo", unit_of_error::absolute, 0, 3}});
     rows.add(
         "`fdez_aguera`, terms from `dfg_table`", [](const auto& e) { return fdez_aguera(e, e.built().dfg(e.v().z, e.alpha())); },
         "`random_walk`", [](const auto& e) { return mean_of_walks(e, walks); });
@@ -162,6 +153,6 @@ model_section multiple_scattering() {
 
 }  // namespace
 
-std::vector<model_section> other_models() {
+std::vector<section> other_models() {
     return {lights(), antialiasing(), anisotropic_antialiasing(), conversions(), anisotropies(), multiple_scattering()};
 }

@@ -1,23 +1,21 @@
 // The report itself, from times and errors.
 #pragma once
 
-#include "errors.hpp"
-#include "kernel.hpp"
 #include "measure.hpp"
+#include "rows.hpp"
 
 #include <map>
-#include <ostream>
 #include <string>
+#include <vector>
 
 struct measurements {
-    std::map<std::string, timing> times;  // by job: the kernel's name and "/one", "/loop" or "/avx2"
-    /// By kernel: the errors of its row, for each reference those of each metric, for the usual and the extreme inputs.
-    std::map<std::string, std::vector<error_summary>> usual, extreme;
-    double avx2_factor = 0;  // the largest ratio of an error of the AVX2 build to that of the baseline, ...
-    std::string avx2_worst;  // ... and whose
+    std::map<std::string, timing> times;  // by job: the row's name and "/one", "/loop" or "/avx2"
+    double avx2_factor = 0;               // the largest ratio of an error of the AVX2 build to that of the baseline, ...
+    std::string avx2_worst;               // ... and whose
     bool avx2 = false;
 };
 
-/// `foundation`: lobe's rows beside the textbook's. `models`: every model of the library.
-void write_report(std::ostream& out, const std::vector<section>& foundation, const std::vector<section>& models,
-                  const measurements& measured);
+/// `layout`: the text of tradeoff.md.in. `foundation`: lobe's rows beside the textbook's. `models`: every model of the library.
+/// Throws std::runtime_error where the layout and the sections do not fit each other.
+std::string report(const std::string& layout, const std::vector<section>& foundation, const std::vector<section>& models,
+                   const measurements& measured);

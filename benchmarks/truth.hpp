@@ -1,100 +1,92 @@
-// The same quantities in long double, from the same float inputs: what every error is measured against. Written from the
+// What the foundation's rows are measured against: the same quantities in long double, from the same float inputs, written from the
 // formulas in components, without the library (the split sum excepted).
 #pragma once
 
-#include "inputs.hpp"
+#include "element.hpp"
+
+#include <glm/geometric.hpp>
 
 #include <cmath>
 #include <limits>
 
 namespace truth {
 
-using real = long double;
+using element = ::element<real>;
+using vec2 = glm::vec<2, real>;
+using vec3 = glm::vec<3, real>;
 inline constexpr real pi = 3.14159265358979323846264338327950288L;
 
-struct vector {
-    real x, y, z;
-};
-inline vector operator+(const vector& a, const vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline vector operator*(real s, const vector& a) { return {s * a.x, s * a.y, s * a.z}; }
-inline real dot(const vector& a, const vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline vector unit(const vector& a) { return 1 / std::sqrt(dot(a, a)) * a; }
-
-inline vector view(const inputs& in, std::size_t i) { return {in.vx[i], in.vy[i], in.vz[i]}; }
-inline vector light(const inputs& in, std::size_t i) { return {in.lx[i], in.ly[i], in.lz[i]}; }
+inline vec3 unit(const vec3& w) { return w / std::sqrt(dot(w, w)); }
 
 /// GGX of any positive multiple of m.
-inline real D(const vector& m, real ax, real ay) {
+inline real D(const vec3& m, real ax, real ay) {
     const real x = m.x / ax, y = m.y / ay, d = x * x + y * y + m.z * m.z, mm = dot(m, m);
     return mm * mm / (pi * ax * ay * d * d);
 }
-inline real S(const vector& w, real a) { return std::sqrt(a * a * (w.x * w.x + w.y * w.y) + w.z * w.z); }
-inline real projected_area(const vector& w, real a) { return (w.z + S(w, a)) / 2; }
+inline real S(const vec3& w, real a) { return std::sqrt(a * a * (w.x * w.x + w.y * w.y) + w.z * w.z); }
+inline real projected_area(const vec3& w, real a) { return (w.z + S(w, a)) / 2; }
 
-inline real visibility_correlated(const vector& v, const vector& l, real a) { return 1 / (2 * (l.z * S(v, a) + v.z * S(l, a))); }
-inline real visibility_separable(const vector& v, const vector& l, real a) { return 1 / (4 * projected_area(v, a) * projected_area(l, a)); }
+inline real visibility_correlated(const vec3& v, const vec3& l, real a) { return 1 / (2 * (l.z * S(v, a) + v.z * S(l, a))); }
+inline real visibility_separable(const vec3& v, const vec3& l, real a) { return 1 / (4 * projected_area(v, a) * projected_area(l, a)); }
 
-inline real schlick(real F0, real u) { return F0 + (1 - F0) * std::pow(1 - u, real(5)); }
-
-inline vector f_cos(const inputs& in, std::size_t i) {
-    const vector v = view(in, i), l = light(in, i), s = v + l;
-    const real a = in.a[i], u = std::sqrt(dot(s, s)) / 2, rest = D(s, a, a) * visibility_correlated(v, l, a) * l.z;
-    return rest * vector{schlick(in.r[i], u), schlick(in.g[i], u), schlick(in.b[i], u)};
+template <class Spectrum>
+Spectrum schlick(const Spectrum& F0, real u) {
+    return F0 + (Spectrum(1) - F0) * std::pow(1 - u, real(5));
 }
 
-inline real pdf_visible(const inputs& in, std::size_t i) {
-    const vector v = view(in, i), s = v + light(in, i);
-    const real a = in.a[i];
-    return D(s, a, a) / (4 * projected_area(v, a));
+inline vec3 f_cos(const element& e) {
+    const vec3 v = e.v(), l = e.l(), s = v + l;
+    return schlick(e.F0(), std::sqrt(dot(s, s)) / 2) * (D(s, e.a(), e.a()) * visibility_correlated(v, l, e.a()) * l.z);
 }
 
-inline real pdf_all(const inputs& in, std::size_t i) {
-    const vector s = view(in, i) + light(in, i);
-    const real a = in.a[i], length = std::sqrt(dot(s, s));
-    return D(s, a, a) * (s.z / length) / (4 * (length / 2));
+inline real pdf_visible(const element& e) { return D(e.v() + e.l(), e.a(), e.a()) / (4 * projected_area(e.v(), e.a())); }
+
+inline real pdf_all(const element& e) {
+    const vec3 s = e.v() + e.l();
+    const real length = std::sqrt(dot(s, s));
+    return D(s, e.a(), e.a()) * (s.z / length) / (4 * (length / 2));
 }
 
 struct sampled {
-    vector l, weight;
+    vec3 l, weight;
     real pdf;
 };
 
 /// Reflects about m. Where the reflection grazes the horizon rounding decides whether the sample fails: those are not counted.
-inline sampled reflect(const inputs& in, std::size_t i, const vector& m, bool visible) {
-    const vector v = view(in, i);
-    const real a = in.a[i], v_m = dot(v, m);
-    const vector l = 2 * v_m * m + real(-1) * v;
+inline sampled reflect(const element& e, const vec3& m, bool visible) {
+    const vec3 v = e.v();
+    const real a = e.a(), v_m = dot(v, m);
+    const vec3 l = 2 * v_m * m - v;
     if (std::abs(l.z) < 1e-4L || std::abs(v_m) < 1e-4L) return {l, l, std::numeric_limits<real>::quiet_NaN()};
     if (l.z <= 0 || v_m <= 0) return {{0, 0, 1}, {0, 0, 0}, 0};
     const real area = visible ? projected_area(v, a) : v_m / m.z;  // pdf = D/(4 area), weight = 4 F V cos area
-    const real weight = 4 * visibility_correlated(v, l, a) * l.z * area;
-    return {l, weight * vector{schlick(in.r[i], v_m), schlick(in.g[i], v_m), schlick(in.b[i], v_m)}, D(m, a, a) / (4 * area)};
+    return {l, schlick(e.F0(), v_m) * (4 * visibility_correlated(v, l, a) * l.z * area), D(m, a, a) / (4 * area)};
 }
 
 /// Dupuy & Benyoub 2023: u1 is the height in the cap, u2 the azimuth.
-inline sampled sample_caps(const inputs& in, std::size_t i) {
-    const real a = in.a[i], u = in.u1[i], phi = 2 * pi * in.u2[i];
-    const vector v = view(in, i), w = unit({a * v.x, a * v.y, v.z});
-    const real q = u * (1 + w.z), rho = std::sqrt(q * (2 - q));
-    const vector h{rho * std::cos(phi) + w.x, rho * std::sin(phi) + w.y, 1 - q + w.z};
-    return reflect(in, i, unit({a * h.x, a * h.y, h.z}), true);
+inline sampled sample_caps(const element& e) {
+    const real a = e.a(), phi = 2 * pi * e.u().y;
+    const vec3 v = e.v(), w = unit({a * v.x, a * v.y, v.z});
+    const real q = e.u().x * (1 + w.z), rho = std::sqrt(q * (2 - q));
+    const vec3 h{rho * std::cos(phi) + w.x, rho * std::sin(phi) + w.y, 1 - q + w.z};
+    return reflect(e, unit({a * h.x, a * h.y, h.z}), true);
 }
 
 /// Heitz 2018: u1 is the radius in the disk, u2 the azimuth.
-inline sampled sample_heitz2018(const inputs& in, std::size_t i) {
-    const real a = in.a[i], phi = 2 * pi * in.u2[i], r = std::sqrt(real(in.u1[i]));
-    const vector v = view(in, i), w = unit({a * v.x, a * v.y, v.z});
+inline sampled sample_heitz2018(const element& e) {
+    const real a = e.a(), phi = 2 * pi * e.u().y, r = std::sqrt(e.u().x);
+    const vec3 v = e.v(), w = unit({a * v.x, a * v.y, v.z});
     const real sine = std::sqrt(w.x * w.x + w.y * w.y), s = (1 + w.z) / 2;
-    const vector T1{-w.y / sine, w.x / sine, 0}, T2{-w.z * T1.y, w.z * T1.x, w.x * T1.y - w.y * T1.x};
+    const vec3 T1{-w.y / sine, w.x / sine, 0}, T2{-w.z * T1.y, w.z * T1.x, w.x * T1.y - w.y * T1.x};
     const real t1 = r * std::cos(phi), t2 = (1 - s) * std::sqrt(1 - t1 * t1) + s * r * std::sin(phi);
-    const vector n = t1 * T1 + t2 * T2 + std::sqrt(std::max(real(0), 1 - t1 * t1 - t2 * t2)) * w;
-    return reflect(in, i, unit({a * n.x, a * n.y, std::max(real(0), n.z)}), true);
+    const vec3 n = t1 * T1 + t2 * T2 + std::sqrt(std::max(real(0), 1 - t1 * t1 - t2 * t2)) * w;
+    return reflect(e, unit({a * n.x, a * n.y, std::max(real(0), n.z)}), true);
 }
 
 /// Walter et al. 2007: the inverse CDF.
-inline sampled sample_all(const inputs& in, std::size_t i) {
-    const real a = in.a[i], u = in.u1[i], phi = 2 * pi * in.u2[i], r = a * std::sqrt(u);
-    return reflect(in, i, unit({r * std::cos(phi), r * std::sin(phi), std::sqrt(1 - u)}), false);
+inline sampled sample_all(const element& e) {
+    const real u = e.u().x, phi = 2 * pi * e.u().y, r = e.a() * std::sqrt(u);
+    return reflect(e, unit({r * std::cos(phi), r * std::sin(phi), std::sqrt(1 - u)}), false);
 }
 
 inline real radical_inverse(std::uint32_t i) {
@@ -103,10 +95,10 @@ inline real radical_inverse(std::uint32_t i) {
     return value;
 }
 
-struct terms {
-    real scale, bias;
-};
-/// By lobe's own quadrature at order 128, in double, which the tests compare with the reference tables.
-terms dfg(const inputs& in, std::size_t i);
+/// (scale, bias) by lobe's own quadrature at order 128, in double, which the tests compare with the reference tables.
+inline vec2 dfg(const element& e) {
+    const auto t = lobe::dfg_exact(lobe::smith_correlated{}, double(e.v().z), lobe::alpha{double(e.a())}, {.order = 128});
+    return {t.scale, t.bias};
+}
 
 }  // namespace truth

@@ -77,7 +77,8 @@ printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n' >header.hdr && refused header.hdr 
 { hdr 8 4 && grey 20; } >cut.hdr && refused cut.hdr "truncated" cut.hdr
 { hdr 64 32 && printf '\x02\x02\0\x40\x85\x80\x85'; } >cut_runs.hdr && refused cut_runs.hdr "truncated" cut_runs.hdr
 { hdr 64 32 && printf '\x02\x02\0\x40\xff\x80\xff\x80' && grey 2048; } >damaged.hdr && refused damaged.hdr "damaged" damaged.hdr
-{ printf '#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 4 +X 8\n' && grey 32; } >xyz.hdr && refused xyz.hdr "is no Radiance HDR" xyz.hdr
+{ printf '#?RADIANCE\nFORMAT=Radiance_spectra\n\n-Y 4 +X 8\n' && grey 32; } >spectra.hdr && refused spectra.hdr "FORMAT must be .*_rgbe or .*_xyze" spectra.hdr
+{ printf '#?RADIANCE\nEXPOSURE=0\n\n-Y 4 +X 8\n' && grey 32; } >exposure.hdr && refused exposure.hdr "EXPOSURE must be above 0" exposure.hdr
 { hdr 6 4 && grey 24; } >shape.hdr && refused shape.hdr "6 x 4 .*twice its height" shape.hdr
 hdr 0 0 >zero.hdr && refused zero.hdr "is empty: 0 x 0" zero.hdr
 hdr -8 -4 >negative.hdr && refused negative.hdr "is empty: -8 x -4" negative.hdr
@@ -92,7 +93,7 @@ head -c 340 good.exr >cut.exr && refused cut.exr "cannot be read.*Early end of f
 exr 2 1 R $one 0x7fc00000 >nan.exr && refused nan.exr "pixel \(1, 0\) holds nan" nan.exr
 exr 2 1 R 0x7f800000 $one >infinite.exr && refused infinite.exr "pixel \(0, 0\) holds inf" infinite.exr
 exr 2 1 R $one 0xbf800000 >below.exr && refused below.exr "pixel \(1, 0\) holds -1" below.exr
-exr 2 1 X $one $one >channels.exr && refused channels.exr "no channel R" channels.exr
+exr 2 1 X $one $one >channels.exr && refused channels.exr "no channels R, G and B, .*only B, G, X" channels.exr
 exr 2 2 R $one $one $one $one >square.exr && refused square.exr "2 x 2 .*twice its height" square.exr
 exr 0 0 R >zero.exr && refused zero.exr "cannot be read.*Invalid" zero.exr
 exr 200000 100000 R >huge.exr && refused huge.exr "exceeds the maximum width of 8192" huge.exr

@@ -137,6 +137,22 @@ TEST_CASE("a view below the horizon is bent by name, others are left alone to th
         CHECK(lobe::length(lobe::bend_above_horizon(vec3<float>{0, x, -1}, 0.01f)) == Catch::Approx(1));
 }
 
+TEST_CASE("light below the true surface of a normal map fades to nothing", "[core]") {
+    random_numbers random(11);
+    for (int i = 0; i < 10000; ++i) {
+        const vec3<double> l = random.direction();
+        vec3<double> g = random.direction();
+        g.z = std::abs(g.z);
+        const double tangent2 = (g.x * g.x + g.y * g.y) / (g.z * g.z), c = lobe::dot(g, l);
+        // Estevez et al.'s listing: the masking 2/(1 + sqrt(1 + a^2 tan^2)) of a GGX, by its tangent
+        const double listed = c > 0 ? 2 / (1 + std::sqrt(1 + std::min(tangent2 / 8, 1.0) * (1 / (c * c) - 1))) : 0;
+        CHECK(std::abs(lobe::bump_shadowing(g, l) - listed) < 1e-9);
+        CHECK(lobe::bump_shadowing(vec3<double>{0, 0, 1}, l) == (l.z > 0 ? 1 : 0));
+    }
+    CHECK(lobe::bump_shadowing(vec3<float>{0.6f, 0, 0.8f}, vec3<float>{-0.8f, 0, 0.6f}) == Catch::Approx(0).margin(1e-6));
+    CHECK(lobe::bump_shadowing(vec3<float>{0.6f, 0, 0.8f}, vec3<float>{-0.9f, 0, 0.4f}) == 0);
+}
+
 TEST_CASE("roughness becomes alpha by name", "[core]") {
     CHECK(lobe::alpha<float>::from_roughness(0.5f).value() == 0.25f);
     CHECK(lobe::alpha<float>::from_roughness(0.0f, 1e-4f).value() == 1e-4f);

@@ -272,7 +272,7 @@ TEMPLATE_TEST_CASE("energy at the extremes: what makes light makes no more than 
             const auto white = lobe::directional_albedo(lobe::eon{T(1), static_cast<T>(r)}, mu, {.order = 128});
             CHECK(std::abs(static_cast<double>(white.value) - 1) <
                   static_cast<double>(white.error) + 8 * u_of<T> + 4 * std::sqrt(2.0) * 128 * u_of<double>);
-            CHECK(white.error < T(1e-4));
+            CHECK(white.error < T(4 * (1e-4 + 2e-5)));  // 4 times what orders 64 and 128 are apart: the errors stated of each
             CHECK(total(lobe::eon{T(0.5), static_cast<T>(r)}) < 1);
         }
         CHECK(std::abs(total(lambert{T(1)}) - 1) < 1e-7 + 4 * u_of<T>);

@@ -150,6 +150,31 @@ TEST_CASE("a narrow beam keeps its digits in float", "[lights]") {
     CHECK(worst < 2e-6);  // x = |w - a|^2/2 is known to 3e-7 of itself, t to 4/3 of that, t^2 to twice
 }
 
+TEMPLATE_TEST_CASE("a cone of equal angles has a hard edge", "[lights]", float, double) {
+    using T = TestType;
+    const T nearly = std::nextafter(T(0.3), T(1));
+    // angles of glTF files: the first two are one float; a right angle as a file of floats writes it
+    for (const auto& [inner, outer] : {std::pair{0.08968102931976317, 0.08968102931976318}, std::pair{0.3, 0.3}, std::pair{0.0, 0.0}, std::pair{1e-6, 1e-6},
+                                       std::pair{pi / 2, pi / 2}, std::pair{1.5707963705062866, 1.5707963705062866}}) {
+        const cone<T> angles{static_cast<T>(inner), static_cast<T>(outer)};
+        INFO(inner << ' ' << outer);
+        const T edge = static_cast<T>(outer);
+        for (int i = -2000; i <= 2000; ++i) {
+            const T angle = edge + T(i) * (std::max)(edge, T(1e-30)) * std::numeric_limits<T>::epsilon() / 20;
+            const T lit = angles({0, 0, -1}, {std::sin(angle), 0, -std::cos(angle)});
+            REQUIRE((lit == 0 || lit == 1 || static_cast<T>(inner) < edge));
+            REQUIRE((lit >= 0 && lit <= 1));
+        }
+        for (const double part : {0.0, 0.5, 0.999})
+            CHECK(angles({0, 0, 1}, {static_cast<T>(std::sin(part * outer)), 0, static_cast<T>(std::cos(part * outer))}) == (outer > 0 ? 1 : 0));
+        for (const double part : {1.001, 1.5})
+            if (outer > 0) CHECK(angles({0, 0, 1}, {static_cast<T>(std::sin(part * outer)), 0, static_cast<T>(std::cos(part * outer))}) == 0);
+        CHECK(static_cast<double>(angles.solid_angle()) == Catch::Approx(2 * pi * (1 - std::cos((std::min)(outer, pi / 2)))).epsilon(1e-6).margin(1e-15));
+    }
+    CHECK((cone<T>{T(0.3), nearly}({0, 0, 1}, {0, 0, 1}) == 1));
+    CHECK(cone<double>{0, 1.5707963705062866}.solid_angle() == cone<double>{0, pi / 2}.solid_angle());
+}
+
 TEST_CASE("a cone's solid angle turns lumens into candela", "[lights]") {
     for (const auto& [inner, outer] : {std::pair{0.0, pi / 2}, std::pair{0.3, 0.6}, std::pair{0.001, 0.002}}) {
         const cone<double> angles(inner, outer);
@@ -203,11 +228,11 @@ TEST_CASE("lights: sizes, and bad parameters end in an assert", "[lights]") {
     static_assert(sizeof(spot_light<vec3<float>, float>) == 48);
     const float nan = std::numeric_limits<float>::quiet_NaN();
     CHECK_FALSE(aborts([] { (void)cone(0.0f, 1.57f); }));
-    for (const float bad : {0.0f, -1.0f, nan}) {
-        CHECK(aborts([&] { (void)inverse_square_within(bad); }));
-        CHECK(aborts([&] { (void)cone(0.0f, bad); }));
-    }
-    CHECK(aborts([] { (void)cone(0.5f, 0.5f); }));
+    for (const float bad : {0.0f, -1.0f, nan}) CHECK(aborts([&] { (void)inverse_square_within(bad); }));
+    for (const float bad : {-1.0f, nan}) CHECK(aborts([&] { (void)cone(0.0f, bad); }));
+    CHECK_FALSE(aborts([] { (void)cone(0.5f, 0.5f); }));
+    CHECK(aborts([] { (void)cone(0.5f, 0.4f); }));
+    CHECK(aborts([] { (void)cone(0.0, 1.570797); }));
     CHECK(aborts([] { (void)cone(-0.1f, 0.5f); }));
     CHECK(aborts([] { (void)cone(0.1f, 1.6f); }));
     CHECK(aborts([&] { (void)cone(nan, 0.5f); }));

@@ -558,7 +558,7 @@ TEMPLATE_TEST_CASE("limits: spectra of zeros and ones", "[limits]", float, doubl
     CHECK(lobe::albedo_coupling{none}(v, l) == white);
     CHECK(lobe::albedo_coupling{all}(v, l) == black);
     CHECK(lobe::reciprocal_coupling{none, black}(v, l) == white);
-    CHECK(lobe::coat_coupling<schlick<S>, T>{schlick{white}, T(1)}(v, l) == black);
+    CHECK(lobe::complement{lobe::coat_share{schlick{white}, T(1)}}(v, l) == black);
     CHECK(lobe::metallic_roughness(black, T(1), a).f(normal<T>, normal<T>) == black);
 }
 

@@ -132,6 +132,9 @@ TEMPLATE_TEST_CASE("the kit on diffuse models", "[testkit]", float, double) {
         expect_pass("oren_nayar", lobe::oren_nayar{rho, static_cast<T>(0.5 * r)});
         expect_pass("fon", lobe::fon{rho, static_cast<T>(r)});
         expect_pass("eon", lobe::eon{rho, static_cast<T>(r)});
+        expect_pass("oren_nayar by the cosine", lobe::oren_nayar{rho, static_cast<T>(0.5 * r), lobe::cosine_sampling{}});
+        expect_pass("fon by the cosine", lobe::fon{rho, static_cast<T>(r), lobe::cosine_sampling{}});
+        expect_pass("eon by the cosine", lobe::eon{rho, static_cast<T>(r), lobe::fon_loss_fit{}, lobe::cosine_sampling{}});
         expect_pass("burley_frostbite", lobe::burley_frostbite{rho, static_cast<T>(r)});
     }
     options white;

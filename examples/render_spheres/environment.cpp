@@ -1,31 +1,15 @@
 #include "environment.hpp"
 
-#include "image.hpp"
+#include "map_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <sstream>
-#include <stdexcept>
 #include <string>
-#include <vector>
-
-#include <ImfChannelList.h>
-#include <ImfFrameBuffer.h>
-#include <ImfHeader.h>
-#include <ImfInputFile.h>
-#include <glm/geometric.hpp>
-#include <stb_image.h>
-
-namespace {
-
-constexpr int largest_width = 8192;
-constexpr float largest_radiance = 1e20f;  // the squares and sums of anything below stay finite
-
-using problem = std::runtime_error;
+#include <string_view>
 
 void check_shape(long long width, long long height) {
     std::ostringstream size;
@@ -35,8 +19,24 @@ void check_shape(long long width, long long height) {
     if (width > largest_width) throw problem("is too large: " + size.str() + ", at most 8192 x 4096 are read");
 }
 
+namespace {
+
+constexpr float largest_radiance = 1e20f;  // the squares and sums of anything below stay finite
+
+[[noreturn]] void refuse(int x, int y, float value) {
+    std::ostringstream what;
+    what << "pixel (" << x << ", " << y << ") holds " << value << ": radiance must be from 0 to 1e20";
+    throw problem(what.str());
+}
+
 /// Refuses what is no radiance. Values a hair below zero are what lossy compression (DWAB) leaves of black: they become 0.
-void check_pixels(image& map, const std::filesystem::path& path) {
+void check_pixels(map_file& file) {
+    image& map = file.pixels;
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x)
+            for (int i = 0; i < 3; ++i)
+                if (!is_finite(map(x, y)[i]) || map(x, y)[i] > largest_radiance) refuse(x, y, map(x, y)[i]);
+
     double mean = 0;
     for (const vec3& c : map.pixels) mean += std::max(0.0f, mean_of_channels(c)) / static_cast<double>(map.pixels.size());
     const float floor = static_cast<float>(-0.01 * mean);
@@ -45,83 +45,35 @@ void check_pixels(image& map, const std::filesystem::path& path) {
         for (int x = 0; x < map.width; ++x)
             for (int i = 0; i < 3; ++i) {
                 float& value = map(x, y)[i];
-                if (!(value >= std::min(floor, 0.0f) && value <= largest_radiance)) {
-                    std::ostringstream what;
-                    what << "pixel (" << x << ", " << y << ") holds " << value << ": radiance must be from 0 to 1e20";
-                    throw problem(what.str());
-                }
+                if (value < floor) refuse(x, y, value);
                 negative += value < 0;
                 value = std::max(value, 0.0f);
             }
     if (mean == 0) throw problem("holds no light: every pixel is black");
-    if (negative > 0) std::cout << path.string() << ": " << negative << " values between " << floor << " and 0 taken as 0\n";
+    if (negative == 0) return;
+    std::ostringstream note;
+    note << negative << " values between " << floor << " and 0 taken as 0";
+    file.notes.push_back(note.str());
 }
 
-// Past the end of its data stb_image reads zeros, and its run-length decoder waits there for ever. So this reader hands it
-// line feeds, on which every loop of the decoder ends, and remembers that it had to.
-struct hdr_reader {
-    std::ifstream file;
-    bool past_end = false;
-
-    static int read(void* self, char* data, int size) {
-        auto& reader = *static_cast<hdr_reader*>(self);
-        reader.file.read(data, size);
-        const auto got = static_cast<int>(reader.file.gcount());
-        if (got > 0) return got;
-        reader.past_end = true;
-        std::memset(data, '\n', static_cast<std::size_t>(size));
-        return size;
-    }
-    static void skip(void* self, int count) { static_cast<hdr_reader*>(self)->file.seekg(count, std::ios::cur); }
-    static int eof(void* self) {
-        auto& reader = *static_cast<hdr_reader*>(self);
-        return reader.past_end || reader.file.peek() == std::ifstream::traits_type::eof();
-    }
-};
-
-image read_hdr(const std::filesystem::path& path) {
-    const stbi_io_callbacks calls{hdr_reader::read, hdr_reader::skip, hdr_reader::eof};
-    int width = 0, height = 0, channels = 0;
-
-    hdr_reader header{std::ifstream{path, std::ios::binary}};
-    const bool understood = stbi_info_from_callbacks(&calls, &header, &width, &height, &channels) != 0;
-    if (header.past_end) throw problem("is truncated: it ends within its header");
-    if (!understood) throw problem(std::string("is no Radiance HDR file that can be read: ") + stbi_failure_reason());
-    check_shape(width, height);
-
-    hdr_reader reader{std::ifstream{path, std::ios::binary}};
-    float* decoded = stbi_loadf_from_callbacks(&calls, &reader, &width, &height, &channels, 3);
-    image map{width, height};
-    if (decoded) std::memcpy(map.pixels.data(), decoded, map.pixels.size() * sizeof(vec3));
-    stbi_image_free(decoded);
-    if (reader.past_end) throw problem("is truncated: it ends before its last pixel");
-    if (!decoded) throw problem(std::string("is damaged: ") + stbi_failure_reason());
-    return map;
+/// A colour that Rec. 709 cannot mix would need less than nothing of a primary. It gets none.
+void convert_to_rec709(map_file& file) {
+    int outside = 0;
+    for (int y = 0; y < file.pixels.height; ++y)
+        for (int x = 0; x < file.pixels.width; ++x) {
+            vec3& pixel = file.pixels(x, y);
+            const glm::dvec3 colour = file.to_rec709 * glm::dvec3{pixel};
+            const double brightest = std::max({colour.x, colour.y, colour.z});
+            for (int i = 0; i < 3; ++i) {
+                outside += colour[i] < -1e-6 * brightest;  // less is rounding
+                pixel[i] = static_cast<float>(std::max(colour[i], 0.0));
+                if (pixel[i] > largest_radiance) refuse(x, y, pixel[i]);
+            }
+        }
+    if (outside > 0) file.notes.push_back(std::to_string(outside) + " values of colours outside Rec. 709 taken as 0");
 }
 
-// By the OpenEXR library: tinyexr does not know the DWAA and DWAB compression that many published maps use.
-image read_exr(const std::filesystem::path& path) {
-    Imf::Header::setMaxImageSize(largest_width, largest_width);  // before it believes an absurd header
-    Imf::InputFile file{path.c_str()};
-    const auto& window = file.header().dataWindow();
-    check_shape(1LL + window.max.x - window.min.x, 1LL + window.max.y - window.min.y);
-    if (!file.isComplete()) throw problem("is truncated: some of its scan lines are missing");
-
-    image map{window.max.x - window.min.x + 1, window.max.y - window.min.y + 1};
-    Imf::FrameBuffer pixels;
-    const std::size_t row = sizeof(vec3) * static_cast<std::size_t>(map.width);
-    const char* const names[] = {"R", "G", "B"};
-    for (int i = 0; i < 3; ++i) {
-        if (!file.header().channels().findChannel(names[i])) throw problem(std::string("has no channel ") + names[i]);
-        auto* first = reinterpret_cast<char*>(&map.pixels[0][i]);
-        pixels.insert(names[i], Imf::Slice::Make(Imf::FLOAT, first, window, sizeof(vec3), row));
-    }
-    file.setFrameBuffer(pixels);
-    file.readPixels(window.min.y, window.max.y);
-    return map;
-}
-
-image read_map(const std::filesystem::path& path) {
+map_file read_map(const std::filesystem::path& path) {
     namespace fs = std::filesystem;
     if (!fs::exists(path)) throw problem("does not exist");
     if (!fs::is_regular_file(path)) throw problem("is not a file");
@@ -129,26 +81,37 @@ image read_map(const std::filesystem::path& path) {
 
     std::ifstream file{path, std::ios::binary};
     if (!file) throw problem("cannot be opened");
-    std::array<char, 10> start{};
+    std::array<char, 4> start{};
     file.read(start.data(), start.size());
     const std::string_view magic{start.data(), static_cast<std::size_t>(file.gcount())};
-    if (magic.starts_with("v/1\x01")) try {
-            return read_exr(path);
+    if (magic == "v/1\x01") try {
+            return read_open_exr(path);
         } catch (const problem&) {
             throw;
         } catch (const std::exception& error) {  // OpenEXR's own
             throw problem(std::string("cannot be read: ") + error.what());
         }
-    if (magic.starts_with("#?RADIANCE") || magic.starts_with("#?RGBE")) return read_hdr(path);
+    if (magic.starts_with("#?")) return read_radiance(path);  // any name of a program may follow
     throw problem("is neither Radiance HDR nor OpenEXR");
+}
+
+/// What a file says of itself goes into messages, and these are one line.
+std::string one_line(std::string text) {
+    constexpr std::size_t longest = 400;
+    if (text.size() > longest) text = text.substr(0, longest) + " ...";
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+    return text;
 }
 
 }  // namespace
 
-lobe::latlong<float> load_environment(const std::filesystem::path& file) try {
-    image map = read_map(file);
-    check_pixels(map, file);
-    return {map.width, map.height, std::move(map.pixels)};
+lobe::latlong<float> load_environment(const std::filesystem::path& path) try {
+    map_file file = read_map(path);
+    check_pixels(file);
+    if (file.to_rec709 != glm::dmat3{1}) convert_to_rec709(file);
+    for (const std::string& note : file.notes) std::cout << path.string() << ": " << one_line(note) << '\n';
+    return {file.pixels.width, file.pixels.height, std::move(file.pixels.pixels)};
 } catch (const std::exception& error) {
-    throw std::runtime_error(file.string() + ": " + error.what());
+    throw std::runtime_error(path.string() + ": " + one_line(error.what()));
 }

@@ -41,6 +41,7 @@
 
 #include <lobe/brdf/burley.hpp>
 #include <lobe/brdf/concepts.hpp>
+#include <lobe/brdf/diffuse_samplers.hpp>
 #include <lobe/brdf/eon.hpp>
 #include <lobe/brdf/ggx_samplers.hpp>
 #include <lobe/brdf/lambert.hpp>

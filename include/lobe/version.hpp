@@ -1,5 +1,7 @@
 #pragma once
 
+#include <lobe/core/cpp20.hpp>
+
 #include <string_view>
 
 // The one home of the version: CMake reads these three lines.

@@ -63,6 +63,40 @@ TEMPLATE_TEST_CASE("rounding errors of the diffuse models", "[multiprecision]", 
     CHECK(frostbite <= 12);
 }
 
+TEMPLATE_TEST_CASE("rounding errors of the rough diffuse samplers' pdf and weight", "[multiprecision]", float, double) {
+    using T = TestType;
+    random_numbers random(4);
+    double pdf = 0, weight = 0, length = 0;
+    for (int i = 0; i < 5000; ++i) {
+        const T r = static_cast<T>(random()), rho(1);
+        const vec3<T> v = random.grazing_direction<T>(1e-6), l = random.grazing_direction<T>(1e-6);
+        const lobe::vec2<T> u{static_cast<T>(random()) * T(0.999f), static_cast<T>(random()) * T(0.999f)};
+        const auto look = [&](const auto& brdf, const auto& truth) {
+            // s is right to the ULP of its terms, which the second lobe multiplies by peak/(sin(theta_l) max(mu))
+            const digits50 terms = abs(digits50(v.x) * digits50(l.x)) + abs(digits50(v.y) * digits50(l.y));
+            const digits50 sine = sqrt(digits50(l.x) * digits50(l.x) + digits50(l.y) * digits50(l.y));
+            const digits50 peak = truth.backscattered().peak, higher = lobe::larger(digits50(v.z), digits50(l.z));
+            const digits50 second = digits50(l.z) / 4 * peak * terms / (sine * higher);
+            const digits50 density = truth.pdf(exact(v), exact(l));
+            pdf = larger(pdf, ulps(brdf.pdf(v, l), density, lobe::larger(density, second)));
+            const auto s = brdf.sample(v, u);
+            const auto e = truth.evaluate(exact(v), exact(s.l));
+            weight = larger(weight, ulps(s.weight, e.f_cos / e.pdf, digits50(1)));
+            length = larger(length, ulps(T(1), sqrt(lobe::dot(exact(s.l), exact(s.l)))));
+            const auto t = truth.sample(exact(v), {digits50(u.x), digits50(u.y)});  // unit, on 50 digits
+            const vec3<digits50> view = exact(v);
+            CHECK(abs(lobe::dot(t.l, t.l) - 1) < 20 * abs(lobe::dot(view, view) - 1) + digits50("1e-45"));
+        };
+        look(lobe::oren_nayar{rho, r}, lobe::oren_nayar{digits50(rho), digits50(r)});
+        look(lobe::fon{rho, r}, lobe::fon{digits50(rho), digits50(r)});
+        look(lobe::eon{rho, r}, lobe::eon{digits50(rho), digits50(r)});
+    }
+    INFO("pdf " << pdf << ", weight " << weight << ", length of l " << length << " ULP");
+    CHECK(pdf <= 8);
+    CHECK(weight <= 8);
+    CHECK(length <= 4);
+}
+
 TEMPLATE_TEST_CASE("rounding errors of widths and lights", "[multiprecision]", float, double) {
     using T = TestType;
     using D = digits50;

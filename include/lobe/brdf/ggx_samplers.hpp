@@ -36,7 +36,7 @@ constexpr T cap_cut(const vec2<T>& width, const vec3<T>& v) {
 }  // namespace detail
 
 /// Visible normals by the projected hemisphere: a point of the disk that faces the view, half of which is squashed, lifted to
-/// the hemisphere. Heitz 2018, "Sampling the GGX Distribution of Visible Normals", appendix A. The density of `visible_caps`,
+/// the hemisphere. Heitz 2018, "Sampling the GGX Distribution of Visible Normals", appendix A. The density of `visible_normals`,
 /// pdf = D/(4 sv), from another map of the square: u.x is the squared radius on the disk.
 /// Domain: v unit, above the horizon; u in [0,1)^2. GGX only. Error of m in float: 4e-7 radian. No term cancels:
 /// with t1 and q^2 = 1 - t1^2, t2 in [-q, q] on the disk, all is written in q + t2 and q - t2, whose product is
@@ -44,7 +44,7 @@ constexpr T cap_cut(const vec2<T>& width, const vec3<T>& v) {
 struct visible_heitz2018 {
     template <scalar T, class Width>
     [[gnu::always_inline]] constexpr vec3<T> sample(const ggx<T, Width>& ndf, const vec3<T>& v, const vec2<T>& u) const {
-        using std::abs, std::sqrt;
+        using std::sqrt;
         const vec2<T> a = ndf.width();
         const vec3<T> w = detail::stretched_view(a, v);
         // the disk's axes are (-y, x, 0) and (-z x, -z y, sine), where (x, y) is the azimuth of w; any will do at the normal
@@ -56,13 +56,13 @@ struct visible_heitz2018 {
         const T r = sqrt(u.x), rest = T(1) - u.x;
         const T t1 = r * cos_phi, t2 = r * sin_phi;
         const T q = sqrt(rest + t2 * t2);  // sqrt(1 - t1^2): t2 is in [-q, q]
-        const T outer = q + abs(t2), inner = rest / outer;  // 0/0 at u.x = 1 alone
+        const T outer = q + absolute(t2), inner = rest / outer;  // 0/0 at u.x = 1 alone
         const T below = select(t2 < T(0), inner, outer), above = select(t2 < T(0), outer, inner);  // q + t2, q - t2
 
         const T s = (T(1) + w.z) / T(2), t = sine2 / (T(2) * (T(1) + w.z));  // t = 1 - s
         const T p2 = s * below - q * w.z;                                    // t2, squashed from [-q, q] to [-q w.z, q]
         const T up = sqrt(s * (s * rest + T(2) * t * q * above));            // sqrt(1 - t1^2 - p2^2)
-        const T sum = up * w.z + abs(p2) * sine;
+        const T sum = up * w.z + absolute(p2) * sine;
         const T z = select(p2 < T(0), s * below * (q * w.z - p2) / sum, sum);  // up w.z + p2 sine
         return detail::stretched_normal(a, up * w.x - t1 * y - p2 * w.z * x, up * w.y + t1 * x - p2 * w.z * y, z);
     }
@@ -76,7 +76,7 @@ struct visible_heitz2018 {
 /// Eto & Tokuyoshi 2023, "Bounded VNDF Sampling for Smith-GGX Reflections". The cap ends at the height -k V.z instead of -V.z,
 /// V the view of the surface of width 1, and what is left shares the probability:
 ///   area = (k v.z + S)/2 = sv - (1 - k) v.z/2,  pdf = D/(2 (k v.z + S)),  S = sqrt(ax^2 v.x^2 + ay^2 v.y^2 + v.z^2)
-/// For reflection only: m is not distributed as visible normals are. Weight = F G2/G1 area/sv: never above that of `visible_caps`.
+/// For reflection only: m is not distributed as visible normals are. Weight = F G2/G1 area/sv: never above that of `visible_normals`.
 /// Domain: v unit, above the horizon; u in [0,1)^2; every alpha > 0. GGX only. At alpha = 1 no sample fails. Error of m: as
 /// `stretched::sample_visible` says.
 struct visible_bounded_caps {

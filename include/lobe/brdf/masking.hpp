@@ -69,11 +69,11 @@ struct smith_direction_correlated : masking_functions<smith_direction_correlated
     using masking_functions::denominator;
     template <distribution N, class T = typename N::scalar>
     constexpr T denominator(const N& ndf, const vec3<T>& v, const vec3<T>& l, const T& sv) const {
-        using std::abs, std::atan2;
+        using std::atan2;
         const T sl = detail::area_above(ndf, l);
         const T along = v.x * l.x + v.y * l.y, across = v.x * l.y - v.y * l.x;
-        const auto no_azimuth = along == T(0) && across == T(0);
-        const T phi = atan2(abs(across), select(no_azimuth, T(1), along));
+        const auto no_azimuth = equal(along, T(0)) && equal(across, T(0));
+        const T phi = atan2(absolute(across), select(no_azimuth, T(1), along));
         const T lambda = T(441) * phi / (T(441) * phi + T(100));
         return larger(sv * l.z, sl * v.z) + lambda * smaller((sv - v.z) * l.z, (sl - l.z) * v.z);
     }

@@ -18,7 +18,7 @@ constexpr auto metallic_roughness(const S& base_color, const typename Width::sca
     assert(detail::in_unit_interval(base_color) && "metallic_roughness: the base colour must be in [0,1]");
     assert(detail::in_unit_interval(metallic) && "metallic_roughness: metallic must be in [0,1]");
     const schlick F{S(S(T(4) / T(100)) * (T(1) - metallic) + base_color * metallic)};
-    return layered{microfacet{ggx{width}, smith_correlated{}, F}, lambert{S(base_color * (T(1) - metallic))}, fresnel_coupling{F}};
+    return layered{microfacet{ggx<T, Width>{width}, smith_correlated{}, F}, lambert{S(base_color * (T(1) - metallic))}, fresnel_coupling{F}};
 }
 
 /// The same from glTF's roughness in [0,1]: alpha = max(roughness^2, floor), because textures contain 0.

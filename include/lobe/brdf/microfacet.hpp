@@ -7,6 +7,27 @@
 
 namespace lobe {
 
+namespace detail {
+
+/// A Fresnel reflectance for the distribution N: it takes N's scalar type.
+template <class F, class N>
+concept fresnel_for = distribution<N> && fresnel<F, typename N::scalar>;
+
+}  // namespace detail
+
+/// Reached by parts that do not fit: says which one, and what to write.
+template <class N, class M, class F, class Sampler = visible_normals>
+class microfacet {
+    static constexpr bool first = distribution<N>, second = masking<M, N> || !first, third = detail::fresnel_for<F, N> || !first;
+    static_assert(first, "microfacet{distribution, masking, Fresnel}: the first part is a distribution of normals, ggx{alpha{0.3f}}");
+    static_assert(second, "microfacet{distribution, masking, Fresnel}: the second is a masking model for it, smith_correlated{}");
+    static_assert(third, "microfacet{distribution, masking, Fresnel}: the third is a callable of v.m in the scalar type of the "
+                         "distribution: schlick{0.04f} for ggx{alpha{0.3f}}, schlick{0.04} for ggx{alpha{0.3}}");
+
+public:
+    constexpr microfacet(const N&, const M&, const F&, const Sampler& = {}) {}
+};
+
 /// f(v,l) = F(v.m) D(m) G2(v,l) / (4 cos(theta_v) cos(theta_l)) = F D / (4 den), in 1/sr. Cook & Torrance 1982; Walter et
 /// al. 2007, eq. 20. Nothing is divided by a cosine and no half vector is normalised: with s = v + l, D takes s as it
 /// is and v.m = |s|/2.
@@ -14,20 +35,19 @@ namespace lobe {
 /// Error of f_cos and pdf, GGX and Schlick, for v and l as they are given: 20 ULP.
 /// Sampled where the sampler can draw normals of the distribution.
 /// Domain: any two directions. Above the horizon are cosines of more than 2^-60, 8.7e-19, in float, 2^-500, 3e-151, in double (`horizon`): where
-/// l nears -v, |v + l|^2 is a number from there on. D needs alpha^2 |v + l|^2 as well, and is 0 where that is below the smallest normal number.
-template <class N, class M, class F, class Sampler = visible_caps>
-class microfacet : exact_vectors {
-    static_assert(distribution<N>, "the first part of a microfacet BRDF is a distribution of normals");
-    static_assert(masking<M, N>, "the second part is a masking model for that distribution");
-    static_assert(fresnel<F, typename N::scalar>,
-                  "the third part is a Fresnel reflectance, a callable of v.m with average(), in the type of the distribution's numbers");
+/// l nears -v, |v + l|^2 is a number from there on. D needs alpha^2 |v + l|^2 as well: as that becomes subnormal D loses its digits, and is 0
+/// where that is 0 (alpha 1e-4, both cosines 1e-18 in float: 3 % off; alpha 1e-6: 0).
+template <class N, class M, class F, class Sampler>
+    requires(distribution<N> && masking<M, N> && detail::fresnel_for<F, N>)
+class microfacet<N, M, F, Sampler> : exact_vectors<microfacet<N, M, F, Sampler>> {
     using T = typename N::scalar;
     using S = decltype(std::declval<const F&>()(std::declval<const T&>()));
+    using exact = exact_vectors<microfacet>;
 
 public:
     using scalar = T;
     using spectrum = S;
-    using exact_vectors::f, exact_vectors::f_cos, exact_vectors::pdf, exact_vectors::evaluate, exact_vectors::sample;
+    using exact::f, exact::f_cos, exact::pdf, exact::evaluate, exact::sample;
     static constexpr bool isotropic = N::isotropic;
 
     constexpr microfacet(const N& distribution_of_normals, const M& masking_model, const F& reflectance, const Sampler& sampling = {})
@@ -35,7 +55,7 @@ public:
         static_assert(brdf<microfacet>);
     }
 
-    // (Inlined by force, all of it: compilers would call what they meet twice, and a loop with a call does not vectorise.)
+    // (Inlined by force, all of it: docs/design.md.)
     [[gnu::always_inline]] constexpr S f(const vec3<T>& v, const vec3<T>& l) const {
         const half h(v + l);
         const T beside_F = quotient(above_horizon(v, l), ndf.D(h.s), T(4) * shadow.denominator(ndf, v, l));
@@ -88,11 +108,16 @@ public:
 
     constexpr vec2<T> width() const { return ndf.width(); }
 
+    /// The critical angles of the Fresnel reflectance: where quadrature cuts.
+    template <class G>
+    constexpr void for_each_crease(const G& g) const {
+        detail::for_each_crease(fresnel_, g);
+    }
+
 private:
     /// w, or where that is below the horizon, where nothing is asked for, its mirror image: so no formula has to look where w is.
     static constexpr vec3<T> upward(const vec3<T>& w) {
-        using std::abs;
-        return {w.x, w.y, abs(w.z)};
+        return {w.x, w.y, absolute(w.z)};
     }
 
     /// The half vector as v + l.

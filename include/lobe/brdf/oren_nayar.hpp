@@ -21,20 +21,24 @@ constexpr T horizontal_dot(const vec3<T>& v, const vec3<T>& l) {
 /// sigma: standard deviation of the facets' slope angle, radians, in [0, pi/2]; rho in [0,1].
 /// Albedo at rho = 1: from 0.559 (sigma = pi/2, seen from above) to 1.015 (sigma = 0.2, grazing): it loses energy, or makes a little.
 /// Rounding: 8 ULP of its largest term, B (|v.x l.x| + |v.y l.y|)/max(cos) among them.
-template <class S>
-class oren_nayar : public cosine_sampled<oren_nayar<S>, S> {
+/// Sampled by `backscatter_sampling`: weight at most 1.06 rho. `oren_nayar{rho, sigma, cosine_sampling{}}`: 0.44 rho/cos(theta_v).
+template <class S, class Sampler = backscatter_sampling>
+class oren_nayar : public diffuse_brdf<oren_nayar<S, Sampler>, S, Sampler> {
     using T = detail::component_t<S>;
 
 public:
-    constexpr oren_nayar(const S& albedo, const T& sigma)
+    constexpr oren_nayar(const S& albedo, const T& sigma, const Sampler& = {})
         : rho(albedo), A(T(1) - sigma * sigma / (T(2) * (sigma * sigma + T(33) / T(100)))),
           B(T(9) / T(20) * sigma * sigma / (sigma * sigma + T(9) / T(100))) {
         assert(detail::in_unit_interval(rho) && "oren_nayar: the albedo must be in [0,1]");
         assert(all(sigma >= T(0)) && all(sigma <= pi<T>() / T(2)) && "oren_nayar: sigma must be in [0,pi/2] radian");
     }
 
+    /// Where s < 0, f is flat: the tilt of least variance is a compromise.
+    constexpr backscatter<T> backscattered() const { return {B / (T(3) * A), B / A}; }
+
 private:
-    friend cosine_sampled<oren_nayar, S>;
+    friend diffuse_brdf<oren_nayar, S, Sampler>;
 
     template <class Mask>
     constexpr S pi_f(const vec3<T>& v, const vec3<T>& l, const Mask& lit, const T& factor) const {
@@ -51,21 +55,26 @@ namespace detail {
 /// FON's constants and its f over rho/pi: shared with EON.
 template <scalar T>
 struct fujii {
-    T A, B;  // A_F and r A_F
+    T r, A;  // A = A_F
 
     static constexpr T c1() { return T(1) / T(2) - T(2) / T(3) * inv_pi<T>(); }
     static constexpr T c2() { return T(2) / T(3) - T(28) / T(15) * inv_pi<T>(); }
 
-    constexpr explicit fujii(const T& roughness) : A(T(1) / (T(1) + c1() * roughness)), B(roughness * A) {
+    constexpr explicit fujii(const T& roughness) : r(roughness), A(T(1) / (T(1) + c1() * roughness)) {
         assert(in_unit_interval(roughness) && "fon, eon: roughness must be in [0,1]");
     }
 
     constexpr T operator()(const vec3<T>& v, const vec3<T>& l) const {
-        const T s = horizontal_dot(v, l), c = larger(larger(v.z, l.z), horizon<T>());  // no 1/0 below it, where nothing is asked for
-        return larger(A + B * s / select(s > T(0), c, T(1)), T(0));  // never negative by rounding, where A + B s vanishes
+        const T s = horizontal_dot(v, l), t = larger(larger(v.z, l.z), horizon<T>());  // no 1/0 below it, where nothing is asked for
+        // never negative by rounding, where 1 + r s vanishes
+        return A * larger(T(1) + r * s / select(s > T(0), t, T(1)), T(0));
     }
 
-    constexpr T average_albedo() const { return A + B * c2(); }
+    constexpr T B() const { return r * A; }
+    constexpr T average_albedo() const { return A + B() * c2(); }
+
+    /// 1 + tilt s must not vanish, as 1 + r s does: EON keeps some light there.
+    constexpr backscatter<T> backscattered() const { return {r * (T(9) / T(10)), r}; }
 };
 
 }  // namespace detail
@@ -102,23 +111,26 @@ struct fon_loss_fit {
 /// Fujii 2012, "A tiny improvement of Oren-Nayar reflectance model"; "FON" in Portsmouth, Kutz, Hill 2024. rho, r in [0,1].
 /// E(mu) is `albedo(w)`, its average rho A_F (1 + (2/3 - 28/(15 pi)) r): below 1, and 1 at grazing.
 /// Rounding: 8 ULP of its largest term (1 + r s vanishes where r = 1 and both directions are grazing and opposite).
-template <class S>
-class fon : public cosine_sampled<fon<S>, S> {
+/// Sampled by `backscatter_sampling`: weight at most 1.04 rho. `fon{rho, r, cosine_sampling{}}`: 0.78 rho/cos(theta_v).
+template <class S, class Sampler = backscatter_sampling>
+class fon : public diffuse_brdf<fon<S, Sampler>, S, Sampler> {
     using T = detail::component_t<S>;
 
 public:
-    constexpr fon(const S& albedo, const T& roughness) : rho(albedo), facets(roughness) {
+    constexpr fon(const S& albedo, const T& roughness, const Sampler& = {}) : rho(albedo), facets(roughness) {
         assert(detail::in_unit_interval(rho) && "fon: the albedo must be in [0,1]");
     }
 
     /// E(w) = rho (1 - r A_F loss(w)), in closed form; unit w above the horizon.
     template <class Loss = fon_loss>
     constexpr S albedo(const vec3<T>& w, const Loss& loss = {}) const {
-        return rho * (T(1) - facets.B * loss(w));
+        return rho * (T(1) - facets.B() * loss(w));
     }
 
+    constexpr backscatter<T> backscattered() const { return facets.backscattered(); }
+
 private:
-    friend cosine_sampled<fon, S>;
+    friend diffuse_brdf<fon, S, Sampler>;
 
     template <class Mask>
     constexpr S pi_f(const vec3<T>& v, const vec3<T>& l, const Mask& lit, const T& factor) const {

@@ -18,7 +18,7 @@ concept normal_sampler = distribution<N> && requires(const S sampler, const N nd
 
 /// Visible normals by the distribution's own map, for GGX spherical caps (Dupuy & Benyoub 2023): pdf = D/(4 sv),
 /// weight = F G2/G1, never above F with a Smith masking.
-struct visible_caps {
+struct visible_normals {
     template <visibly_samplable_distribution N, class T = typename N::scalar>
     [[gnu::always_inline]] constexpr vec3<T> sample(const N& ndf, const vec3<T>& v, const vec2<T>& u) const {
         return ndf.sample_visible(v, u);

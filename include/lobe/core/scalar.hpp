@@ -1,8 +1,11 @@
 // What every formula needs of a number: the scalar concept, select and all, pi, and the sine and cosine of a turn.
 #pragma once
 
+#include <lobe/core/cpp20.hpp>
+
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <type_traits>
 
 namespace lobe {
@@ -35,6 +38,19 @@ template <class Mask, scalar T>
     return select(mask, a / select(mask, b, T(1)), T(0));
 }
 
+#ifdef __GNUC__
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wfloat-equal"
+#endif
+/// a == b in each lane, where exactly that is meant: the one place that compilers which warn of it have to be told so.
+template <scalar T>
+constexpr auto equal(const T& a, const T& b) {
+    return a == b;
+}
+#ifdef __GNUC__
+#pragma GCC diagnostic pop
+#endif
+
 /// Does a condition hold in every lane? One number has one lane.
 constexpr bool all(bool mask) { return mask; }
 
@@ -46,6 +62,16 @@ constexpr T larger(const T& a, const T& b) {
 template <scalar T>
 constexpr T smaller(const T& a, const T& b) {
     return select(b < a, b, a);
+}
+
+/// |x|, by `abs` where T has one.
+template <scalar T>
+constexpr T absolute(const T& x) {
+    using std::abs;
+    if constexpr (requires { { abs(x) } -> std::same_as<T>; })
+        return abs(x);
+    else
+        return select(x < T(0), -x, x);
 }
 
 namespace detail {
@@ -68,20 +94,24 @@ struct lane<T> {
 
 }  // namespace detail
 
+namespace detail {
+
+/// The smallest positive number in a lane of T that has all its digits; its reciprocal is finite.
+template <scalar T>
+constexpr T smallest() {
+    if constexpr (std::numeric_limits<typename lane<T>::type>::is_specialized)
+        return T((std::numeric_limits<typename lane<T>::type>::min)());
+    else
+        return T(1e-300);
+}
+
+}  // namespace detail
+
 /// The number in one lane of a pack, or in one component of a vector: float for xsimd::batch<float> and glm::vec3.
 template <class T>
 using lane_t = typename detail::lane<T>::type;
 
 namespace detail {
-
-/// The smallest normal number: a divisor below it has lost its digits.
-template <scalar T>
-constexpr T least() {
-    if constexpr (std::numeric_limits<lane_t<T>>::is_specialized)
-        return T((std::numeric_limits<lane_t<T>>::min)());
-    else
-        return T(0);
-}
 
 /// The largest finite number in a lane of T. Infinity stays out of formulas: inf - inf and 0 * inf are NaN.
 template <scalar T>
@@ -165,10 +195,11 @@ template <scalar T>
             cosine = T(1) + t * q;
         }
         // a quarter turn maps (sin, cos) to (cos, -sin)
-        const auto odd = quarter == T(1) || quarter == T(3);
+        const auto one = equal(quarter, T(1)), two = equal(quarter, T(2)), three = equal(quarter, T(3));
+        const auto odd = one || three;
         const T s = select(odd, cosine, sine);
         const T c = select(odd, sine, cosine);
-        return {select(quarter == T(2) || quarter == T(3), -s, s), select(quarter == T(1) || quarter == T(2), -c, c)};
+        return {select(two || three, -s, s), select(one || two, -c, c)};
     }
 }
 

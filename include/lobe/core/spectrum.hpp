@@ -67,7 +67,7 @@ template <>
 struct wide<float> {
     using type = double;
 };
-template <int N>
+template <glm::length_t N>
 struct wide<glm::vec<N, float, glm::defaultp>> {
     using type = glm::vec<N, double, glm::defaultp>;
 };

@@ -4,6 +4,10 @@
 #include <lobe/brdf/concepts.hpp>
 #include <lobe/energy/quadrature.hpp>
 
+#include <algorithm>
+#include <cassert>
+#include <vector>
+
 namespace lobe {
 
 namespace detail {
@@ -17,13 +21,25 @@ constexpr void for_each_lobe(const B& b, const G& g) {
         g(b);
 }
 
+/// The cosines v.m at which a BRDF is creased, each once.
+template <brdf B>
+auto creases_of(const B& b) {
+    using W = wide_t<typename B::scalar>;
+    std::vector<W> creases;
+    for_each_crease(b, [&](const auto& c) { creases.push_back(W(c)); });
+    std::sort(creases.begin(), creases.end());
+    creases.erase(std::unique(creases.begin(), creases.end()), creases.end());
+    return creases;
+}
+
 template <brdf B>
 auto directional_albedo(const B& b, const vec3<typename B::scalar>& v, bool mirrored, const quadrature& options) {
     using T = typename B::scalar;
     using S = typename B::spectrum;
     estimate<S, T> total{S(T(0)), T(0), 0};
     for_each_lobe(b, [&](const auto& lobe) {
-        const auto part = hemisphere_integral([&](const vec3<T>& l) { return lobe.f_cos(v, l); }, v, lobe.width(), mirrored, options);
+        const auto f_cos = [&](const vec3<T>& l) { return lobe.f_cos(v, l); };
+        const auto part = hemisphere_integral(f_cos, v, lobe.width(), mirrored, options, creases_of(lobe));
         total = {total.value + part.value, total.error + part.error, total.evaluations + part.evaluations};
     });
     return total;
@@ -42,10 +58,15 @@ vec3<T> view_at(const T& mu) {
 /// radiance towards v in a white furnace. Any BRDF, isotropic or not; the lobes of a composition are integrated
 /// separately, each on its own width.
 /// Domain: unit v above the horizon. Scalar types only.
-/// Error: estimated with the value. Isotropic GGX in double, alpha and mu in [0.001,1]: 2e-5 at order 16 (512 evaluations of a
-/// lobe), 1e-7 at order 32 (2048). Anisotropic, widths up to 1000 apart: 5e-5 at order 32 (4096), 5e-6 at 64. Diffuse models with a
-/// crease (Oren-Nayar and its relatives): 5e-4 at order 32, 1e-4 at 64, 2e-5 at 128. A BRDF in float sees l rounded, which is worth
-/// 6e-8/(alpha mu).
+/// Error: estimated with the value; at least the error in 99 of 100 random cases of every model. Measured, in double, alpha and mu in
+/// [0.001,1], isotropic GGX at order 16 (512 evaluations of a lobe) and 32 (2048):
+///   F = 1, Schlick, dielectric from outside, metals                        2e-5  1e-7  (eta below 1.01: 2e-7)
+///   dielectric from inside (cut at the critical angle: 2 to 4 times the evaluations, 16 with three wavelengths)
+///                                                                          1e-5  1e-7
+///   conductor of eta < 1 and k < 0.5 (cut where F bends)                   2e-5  2e-6
+///   f82_tint, which has a kink where it reaches 0                          5e-4  1e-4
+/// Beckmann at order 32: 2e-6. Anisotropic, widths up to 1000 apart: 5e-5 at order 32 (4096), 1e-5 at 64. With a crease (Oren-Nayar and
+/// its relatives, v_cavity): 5e-4 at order 32, 1e-4 at 64, 4e-5 at 128. A BRDF in float sees l rounded, which is worth 6e-8/(alpha mu).
 template <brdf B>
 auto directional_albedo(const B& b, const vec3<typename B::scalar>& v, const quadrature& options = {}) {
     return detail::directional_albedo(b, v, false, options);
@@ -60,7 +81,8 @@ auto directional_albedo(const B& b, const typename B::scalar& mu, const quadratu
 }
 
 /// E_avg = 2 int_0^1 E(mu) mu dmu: the light reflected under uniform illumination. Kulla & Conty 2017.
-/// Isotropic BRDFs; scalar types only. `order` n costs 2 n^3 evaluations a lobe. Error: returned.
+/// Isotropic BRDFs; scalar types only. An order n costs 2 n^3 evaluations a lobe, with the two lower ones 1.6 times that; the tolerance
+/// stops at 128. Error: returned.
 template <brdf B>
     requires(B::isotropic)
 auto average_albedo(const B& b, const quadrature& options = {}) {
@@ -73,28 +95,29 @@ auto average_albedo(const B& b, const quadrature& options = {}) {
     const auto at_order = [&](int order) {
         const detail::gauss_legendre<W> rule(order);
         WS total(W(0));
-        for (std::size_t i = 0; i < rule.x.size(); ++i) {
-            const W t = rule.x[i], mu = t * t * t;  // nodes crowd towards grazing, where E bends within mu ~ alpha
-            const vec3<T> v = detail::view_at(T(mu));
-            detail::for_each_lobe(b, [&](const auto& lobe) {
-                total = total +
-                        detail::hemisphere_integral_at([&](const vec3<T>& l) { return lobe.f_cos(v, l); }, v, lobe.width(), true, order) *
-                            (W(6) * rule.w[i] * t * t * mu);
-                evaluations += 2 * order * order;
-            });
-        }
+        detail::for_each_lobe(b, [&](const auto& lobe) {
+            const auto creases = detail::creases_of(lobe);
+            for (std::size_t k = 0; k <= creases.size(); ++k) {  // of a smooth surface E is F, and bends at the critical cosine
+                const W from = k > 0 ? creases[k - 1] : W(0), range = (k < creases.size() ? creases[k] : W(1)) - from;
+                for (std::size_t i = 0; i < rule.x.size(); ++i) {
+                    const detail::crowded<W> node(rule.x[i], k < creases.size());  // towards grazing, where E bends within mu ~ alpha
+                    const W mu = from + range * node.at;
+                    const vec3<T> v = detail::view_at(T(mu));
+                    const auto f_cos = [&](const vec3<T>& l) {
+                        ++evaluations;
+                        return lobe.f_cos(v, l);
+                    };
+                    total = total + detail::hemisphere_integral_at(f_cos, v, lobe.width(), true, order, creases) *
+                                        (W(2) * rule.w[i] * range * node.slope * mu);
+                }
+            }
+        });
         return total;
     };
-    int order = options.order ? options.order / 2 : 8;
-    WS value = at_order(order);
-    detail::agreement<W> error;
-    do {
-        const WS coarse = value;
-        order = options.order ? options.order : 2 * order;
-        value = at_order(order);
-        error.add(detail::difference(value, coarse));
-    } while (!options.order && !error.within(W(options.tolerance)) && order < 128);
-    return estimate<S, T>{S(value), T(error.size), evaluations};
+    const auto result = detail::converge<W>(at_order, options, 128);
+    const vec2<T> width = b.width();
+    const W rounded = detail::rounding<T>(result.value, W(smaller(width.x, width.y)), result.order);
+    return estimate<S, T>{S(result.value), T(result.error + rounded), evaluations};
 }
 
 }  // namespace lobe

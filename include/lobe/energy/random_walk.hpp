@@ -31,12 +31,12 @@ public:
     /// `first` may be given to take the first facet from a point set. A walk of 1000 bounces (the longest of 4e9 had 14)
     /// is given up: weight 0.
     template <class Uniform>
-    path sample(const vec3<T>& v, Uniform&& uniform) const {
+    constexpr path sample(const vec3<T>& v, Uniform&& uniform) const {
         return sample(v, vec2<T>{T(uniform()), T(uniform())}, uniform);
     }
 
     template <class Uniform>
-    path sample(const vec3<T>& v, const vec2<T>& first, Uniform&& uniform) const {
+    constexpr path sample(const vec3<T>& v, const vec2<T>& first, Uniform&& uniform) const {
         using std::log;
         // The logarithm of C1, the fraction of the surface that is lower, stands for the height: along w it changes by
         // an exponentially distributed step over Lambda(w) (eq. 18-20), whatever the distribution of heights.

@@ -70,6 +70,20 @@ public:
     constexpr S index() const { return eta; }
     constexpr S extinction() const { return k; }
 
+    /// The cosines where F bends from near 1, each to g, for quadrature to cut there: a^2 - b^2 = 0 at c^2 = 1 - eta^2 + k^2. F's branch
+    /// points lie 2 eta k off it; where they are farther than c^2 F is smooth. Scalar types only.
+    template <class G>
+    constexpr void for_each_crease(const G& g) const {
+        detail::by_component(
+            [&](const T& n, const T& kappa) {
+                using std::sqrt;
+                const T c2 = (T(1) - n) * (T(1) + n) + kappa * kappa;
+                if (c2 < T(1) && T(2) * n * kappa < c2) g(T(sqrt(c2)));
+                return c2;
+            },
+            eta, k);
+    }
+
 private:
     [[gnu::always_inline]] static constexpr T reflectance(const T& n, const T& kappa, const T& c) {
         using std::sqrt;

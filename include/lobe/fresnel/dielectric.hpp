@@ -45,6 +45,27 @@ public:
     constexpr S F0() const { return f0_from_ior(eta); }
     constexpr S relative_index() const { return eta; }
 
+    /// The cosine of the critical angle, sqrt(1 - eta^2), to and below which all is reflected; 0 for eta >= 1.
+    constexpr S critical_cosine() const {
+        return detail::by_component(
+            [](const T& n) {
+                using std::sqrt;
+                return T(sqrt(select(n < T(1), (T(1) - n) * (T(1) + n), T(0))));
+            },
+            eta);
+    }
+
+    /// Those above 0, each to g: F leaves 1 there like a square root, so quadrature cuts. Scalar types only.
+    template <class G>
+    constexpr void for_each_crease(const G& g) const {
+        detail::by_component(
+            [&](const T& c) {
+                if (c > T(0)) g(c);
+                return c;
+            },
+            critical_cosine());
+    }
+
 private:
     static constexpr T reflectance(const T& n, const T& c) {
         using std::sqrt;

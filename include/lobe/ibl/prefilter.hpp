@@ -20,12 +20,12 @@ namespace lobe {
 /// r: unit, world space; count >= 1; alpha <= 1, where the first half vector at least reflects upwards.
 /// Error: that of `count` Hammersley points; none for a constant environment.
 template <scalar T, class Environment>
-auto prefiltered_radiance(const Environment& environment, const vec3<T>& r, const alpha<T>& a, std::uint32_t count) {
+constexpr auto prefiltered_radiance(const Environment& environment, const vec3<T>& r, const alpha<T>& a, std::uint32_t count) {
     using S = std::decay_t<decltype(environment(r))>;
     using WS = detail::wide_t<S>;
     using W = detail::wide_t<T>;
     assert(count > 0 && "prefiltered_radiance: count must be above 0");
-    const ggx normals{a};
+    const ggx<T> normals{a};
     const frame<T> at(r);
     WS total(W(0));
     W weights(0);

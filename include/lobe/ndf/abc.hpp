@@ -36,7 +36,7 @@ public:
     }
 
     /// Newton's method on ln y. Scalar types only.
-    T tan2(const T& u) const
+    constexpr T tan2(const T& u) const
         requires(detail::single<T>)
     {
         using W = detail::at_least_double<T>;
@@ -90,9 +90,9 @@ class abc : public radial<tabulated<abc_shape<T>, T>, alpha<T>> {
     using shape = tabulated<abc_shape<T>, T>;
 
 public:
-    abc(const alpha<T>& width, const T& C) : radial<shape, alpha<T>>(shape(abc_shape<T>(width.value(), C)), width) {}
+    constexpr abc(const alpha<T>& width, const T& C) : radial<shape, alpha<T>>(shape(abc_shape<T>(width.value(), C)), width) {}
     /// From the B and C of the paper, whose A follows.
-    static abc from_b(const T& B, const T& C) {
+    static constexpr abc from_b(const T& B, const T& C) {
         using std::sqrt;
         return {alpha<T>(sqrt(T(2) / B)), C};
     }

@@ -48,11 +48,11 @@ namespace detail {
 /// l1 = mean + r, l2 = det/l1, r^2 = ((xx - yy)/2)^2 + xy^2. Error of the narrower width: 4 ULP times (l1/l2).
 template <scalar T>
 constexpr oriented_width<T> principal_axes(const slope_matrix<T>& m, const T& floor) {
-    using std::abs, std::sqrt;
+    using std::sqrt;
     const T d = (m.xx - m.yy) / T(2), r = sqrt(d * d + m.xy * m.xy);
     const T wide = (m.xx + m.yy) / T(2) + r;
     const T narrow = larger((m.xx * m.yy - m.xy * m.xy) / wide, floor);
-    const T along = select(r > T(0), r + abs(d), T(1)), across = m.xy;  // one is a sum, so that nothing cancels
+    const T along = select(r > T(0), r + absolute(d), T(1)), across = m.xy;  // one is a sum, so that nothing cancels
     const T length = sqrt(along * along + across * across);
     return {{sqrt(wide), sqrt(narrow)}, {select(d < T(0), across, along) / length, select(d < T(0), along, across) / length}};
 }

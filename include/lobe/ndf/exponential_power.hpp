@@ -25,13 +25,13 @@ public:
     }
 
     /// Q(1/p, tau^p), the regularised incomplete gamma function. Scalar types only, as its inverse.
-    T survival(const T& tau) const
+    constexpr T survival(const T& tau) const
         requires(detail::single<T>)
     {
         using std::pow;
         return detail::incomplete_gamma<T>(T(1) / p).upper(pow(tau, p));
     }
-    T tan2(const T& u) const
+    constexpr T tan2(const T& u) const
         requires(detail::single<T>)
     {
         using W = detail::at_least_double<T>;
@@ -54,7 +54,7 @@ public:
     }
 
     /// Beyond it exp(-tau^p) < 1e-26.
-    T max_tan2() const {
+    constexpr T max_tan2() const {
         using std::pow;
         return pow(T(60), T(1) / p);
     }
@@ -83,7 +83,7 @@ class exponential_power : public radial<tabulated<exponential_power_shape<T>, T>
     using shape = tabulated<exponential_power_shape<T>, T>;
 
 public:
-    exponential_power(const Width& width, const T& p) : radial<shape, Width>(shape(exponential_power_shape<T>(p)), width) {}
+    constexpr exponential_power(const Width& width, const T& p) : radial<shape, Width>(shape(exponential_power_shape<T>(p)), width) {}
 };
 template <scalar T>
 exponential_power(alpha<T>, T) -> exponential_power<T, alpha<T>>;

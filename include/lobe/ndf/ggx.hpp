@@ -12,9 +12,9 @@ struct ggx_profile {
 
     /// (|w| + w.z)/2 above the horizon; the same without cancellation below, (w.x^2 + w.y^2)/(2 (|w| - w.z)).
     constexpr T projected_area(const vec3<T>& w) const {
-        using std::abs, std::sqrt;
+        using std::sqrt;
         const T q = w.x * w.x + w.y * w.y;
-        const T sum = sqrt(q + w.z * w.z) + abs(w.z);
+        const T sum = sqrt(q + w.z * w.z) + absolute(w.z);
         return select(w.z < T(0), q / sum, sum) / T(2);
     }
 
@@ -26,9 +26,9 @@ struct ggx_profile {
 
     /// (|w|/w.z - 1)/2; above the horizon as (w.x^2 + w.y^2)/(2 w.z (|w| + w.z)).
     constexpr T lambda(const vec3<T>& w) const {
-        using std::abs, std::sqrt;
+        using std::sqrt;
         const T q = w.x * w.x + w.y * w.y;
-        const T sum = sqrt(q + w.z * w.z) + abs(w.z);
+        const T sum = sqrt(q + w.z * w.z) + absolute(w.z);
         return select(w.z < T(0), sum, q / sum) / (T(2) * w.z);
     }
 
@@ -44,8 +44,8 @@ struct ggx_profile {
     /// Visible GGX Normals with Spherical Caps", listing 3, here with the sine of the cap from components: its
     /// sqrt(1 - z^2) is wrong by up to 17 times for small u.x in float.
     constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const {
-        using std::abs, std::sqrt;
-        const T sine2 = v.x * v.x + v.y * v.y, sum = T(1) + abs(v.z);
+        using std::sqrt;
+        const T sine2 = v.x * v.x + v.y * v.y, sum = T(1) + absolute(v.z);
         const T height = select(v.z < T(0), sine2 / sum, sum);  // 1 + v.z
         const T z = (T(1) - u.x) * height;
         const T r = sqrt(u.x * (height * z + sine2));

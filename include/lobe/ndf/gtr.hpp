@@ -63,7 +63,7 @@ class gtr : public radial<tabulated<gtr_shape<T>, T>, alpha<T>> {
     using shape = tabulated<gtr_shape<T>, T>;
 
 public:
-    gtr(const alpha<T>& width, const T& gamma) : radial<shape, alpha<T>>(shape(gtr_shape<T>(width.value(), gamma)), width) {}
+    constexpr gtr(const alpha<T>& width, const T& gamma) : radial<shape, alpha<T>>(shape(gtr_shape<T>(width.value(), gamma)), width) {}
 };
 template <scalar T>
 gtr(alpha<T>, T) -> gtr<T>;

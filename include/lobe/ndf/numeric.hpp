@@ -35,7 +35,7 @@ constexpr T zero_cosine() {
 /// (Takahasi & Mori 1974). 112 evaluations of g, a number or a vector of them, smooth in ln x and falling faster than x^-1.2.
 /// Error: below 1e-9 of int |g| where g turns within a few powers of ten around `scale`.
 template <single T, class G>
-auto integral_to_infinity(const T& scale, const G& g) {
+constexpr auto integral_to_infinity(const T& scale, const G& g) {
     using std::exp;
     const T step = T(8.5f) / T(112), quarter = pi<T>() / T(2), grow = exp(step);
     T et = exp(T(-3.5f) + step / T(2));
@@ -49,7 +49,7 @@ auto integral_to_infinity(const T& scale, const G& g) {
 
 /// int g(x) dx over low < x < high, the same with x = (low + high)/2 + (high - low)/2 tanh((pi/2) sinh t): the ends may be singular.
 template <single T, class G>
-auto integral_between(const T& low, const T& high, const G& g) {
+constexpr auto integral_between(const T& low, const T& high, const G& g) {
     using std::exp;
     const T step = T(6.5f) / T(112), quarter = pi<T>() / T(2), grow = exp(step), width = high - low;
     T et = exp(T(-3.25f) + step / T(2));
@@ -63,7 +63,7 @@ auto integral_between(const T& low, const T& high, const G& g) {
 
 /// int g(x) dx from low to high for a g that is nearly a polynomial in each of `panels` parts: Gauss-Legendre, 8 evaluations a part.
 template <single T, class G>
-T short_integral(const T& low, const T& high, int panels, const G& g) {
+constexpr T short_integral(const T& low, const T& high, int panels, const G& g) {
     constexpr double node[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
     constexpr double weight[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
     const T half = (high - low) / T(2 * panels);
@@ -84,15 +84,15 @@ struct value_and_slope {
 /// where Newton leaves the bracket, until steps are small enough for the next, as small as their square, not to show. Error: the
 /// rounding of f over its slope, or 4 ULP of the bracket's ends.
 template <single T, class F>
-T root_of_increasing(T low, T high, T x, const F& f) {
+constexpr T root_of_increasing(T low, T high, T x, const F& f) {
     using std::abs, std::sqrt;
     const T epsilon = std::numeric_limits<T>::epsilon(), precision = T(4) * epsilon, quadratic = sqrt(epsilon) / T(8);
     if (!(x > low && x < high)) x = (low + high) / T(2);
     for (int i = 0; i < 100; ++i) {
         const value_and_slope<T> here = f(x);
-        if (here.value == T(0)) break;
+        if (equal(here.value, T(0))) break;
         (here.value < T(0) ? low : high) = x;
-        const T newton = here.slope == T(0) ? low : x - here.value / here.slope;
+        const T newton = equal(here.slope, T(0)) ? low : x - here.value / here.slope;
         const bool inside = newton > low && newton < high;
         const T next = inside ? newton : (low + high) / T(2);
         const T step = abs(next - x);

@@ -80,8 +80,8 @@ class phong : public radial<tabulated<phong_shape<T>, T>, alpha<T>> {
     using shape = tabulated<phong_shape<T>, T>;
 
 public:
-    explicit phong(const alpha<T>& width) : radial<shape, alpha<T>>(shape(phong_shape<T>(width.value())), width) {}
-    static phong from_exponent(const T& n) { return phong(alpha_from_phong_exponent(n)); }
+    constexpr explicit phong(const alpha<T>& width) : radial<shape, alpha<T>>(shape(phong_shape<T>(width.value())), width) {}
+    static constexpr phong from_exponent(const T& n) { return phong(alpha_from_phong_exponent(n)); }
 };
 template <scalar T>
 phong(alpha<T>) -> phong<T>;

@@ -30,13 +30,13 @@ namespace detail {
 
 /// f(tau), the density of slopes.
 template <class Shape, single T>
-T slope_density(const Shape& shape, const T& tau) {
+constexpr T slope_density(const Shape& shape, const T& tau) {
     return shape.D(tau, T(1));
 }
 
 /// int g(R) 2 pi f(a^2 + R^2) R dR over R > from: an average over the facets whose slope r is more than `a`, R^2 = r^2 - a^2.
 template <single T, class Shape, class G>
-auto average_over_steep(const Shape& shape, const T& a, const T& from, const G& g) {
+constexpr auto average_over_steep(const Shape& shape, const T& a, const T& from, const G& g) {
     using std::sqrt;
     const auto integrand = [&](const T& R) { return g(R) * (T(2) * pi<T>() * slope_density(shape, a * a + R * R) * R); };
     if constexpr (requires { shape.max_tan2(); }) {
@@ -50,7 +50,7 @@ auto average_over_steep(const Shape& shape, const T& a, const T& from, const G& 
 /// back(a) by quadrature, and its slope: (1/pi) int (R - a atan(R/a)) and -(1/pi) int atan(R/a) over the facets steeper than
 /// a.
 template <single T, class Shape>
-value_and_slope<T> back_by_quadrature(const Shape& shape, const T& a) {
+constexpr value_and_slope<T> back_by_quadrature(const Shape& shape, const T& a) {
     using std::atan2;
     const vec2<T> both = average_over_steep(shape, a, T(0), [&](const T& R) {
         const T angle = atan2(R, a);
@@ -67,8 +67,8 @@ value_and_slope<T> back_by_quadrature(const Shape& shape, const T& a) {
 /// Unit v, also below the horizon; `back` is the area of back faces over s. Scalar types only; 200 to 500 evaluations of D
 /// at grazing angles, none from above.
 template <class Shape, single T>
-vec3<T> sample_visible_radial(const Shape& shape, const T& back, const vec3<T>& v, const vec2<T>& u) {
-    using std::abs, std::asinh, std::atan2, std::cos, std::log, std::sin, std::sinh, std::sqrt;
+constexpr vec3<T> sample_visible_radial(const Shape& shape, const T& back, const vec3<T>& v, const vec2<T>& u) {
+    using std::asinh, std::atan2, std::cos, std::log, std::sin, std::sinh, std::sqrt;
     const T z = v.z, s = sqrt(v.x * v.x + v.y * v.y), cot = s > T(0) ? z / s : T(0), a = larger(cot, -cot);
     const T sigma = larger(z, T(0)) + s * back;
     const T steeper = s > T(0) ? shape.survival(a * a) : T(0), gentle = larger(z, T(0)) * (T(1) - steeper);
@@ -88,7 +88,7 @@ vec3<T> sample_visible_radial(const Shape& shape, const T& back, const vec3<T>& 
         T known_x(-1), known_share(0), known_slope(0);
         const auto excess = [&](const T& x) {
             // a few short steps from where the share is known cost less than the whole tail
-            const T steps = abs(x - known_x) * larger(T(1), known_slope) * T(4);
+            const T steps = absolute(x - known_x) * larger(T(1), known_slope) * T(4);
             const T share = known_x >= T(0) && steps < T(9) ? known_share - short_integral(known_x, x, static_cast<int>(steps) + 1, density)
                                                             : average_over_steep(shape, a, T(sinh(x)), visible);
             if (!(share > T(0))) return value_and_slope<T>{T(1), T(1)};
@@ -114,10 +114,10 @@ vec3<T> sample_visible_radial(const Shape& shape, const T& back, const vec3<T>& 
 
 /// The same, computed in double at least.
 template <class Shape, single T>
-vec3<T> sample_visible_by_quadrature(const Shape& shape, const vec3<T>& v, const vec2<T>& u) {
+constexpr vec3<T> sample_visible_by_quadrature(const Shape& shape, const vec3<T>& v, const vec2<T>& u) {
     using W = at_least_double<T>;
     using std::sqrt;
-    const T cotangent = smaller(larger(v.z, -v.z) / larger(T(sqrt(v.x * v.x + v.y * v.y)), least<T>()), largest<T>());
+    const T cotangent = smaller(larger(v.z, -v.z) / larger(T(sqrt(v.x * v.x + v.y * v.y)), smallest<T>()), largest<T>());
     const vec3<W> wide = normalize(vec3<W>{W(v.x), W(v.y), W(v.z)});
     const vec3<W> m = normalize(sample_visible_radial(shape.template as<W>(), W(shape.back(cotangent)), wide, {W(u.x), W(u.y)}));
     return {T(m.x), T(m.y), T(m.z)};
@@ -135,10 +135,9 @@ public:
     /// so that the horizon gets the limit from above.
     template <class Width>
     constexpr T D(const vec3<T>& m, const Width& width) const {
-        using std::abs;
-        const T z = larger(abs(m.z), larger(abs(m.x), abs(m.y)) * detail::zero_cosine<T>());
+        const T z = larger(absolute(m.z), larger(absolute(m.x), absolute(m.y)) * detail::zero_cosine<T>());
         const vec3<T> s = width.unstretch(vec3<T>{m.x, m.y, z});
-        const auto tan2 = [](const vec3<T>& w, const T& cosine) { return (w.x * w.x + w.y * w.y) / larger(cosine * cosine, detail::least<T>()); };
+        const auto tan2 = [](const vec3<T>& w, const T& cosine) { return (w.x * w.x + w.y * w.y) / larger(cosine * cosine, detail::smallest<T>()); };
         return shape.D(smaller(tan2(s, s.z), detail::largest<T>() / T(4)), tan2(m, z) + T(1)) / (width.x() * width.y());
     }
 
@@ -177,7 +176,7 @@ public:
     }
 
 private:
-    static constexpr T cotangent(const T& z, const T& s) { return smaller(larger(z, -z) / larger(s, detail::least<T>()), detail::largest<T>()); }
+    static constexpr T cotangent(const T& z, const T& s) { return smaller(larger(z, -z) / larger(s, detail::smallest<T>()), detail::largest<T>()); }
 
     [[no_unique_address]] Shape shape;
 
@@ -201,7 +200,7 @@ public:
 template <class Shape, detail::single T, int panels = 96>
 class tabulated : public Shape {
 public:
-    explicit tabulated(const Shape& shape) : Shape(shape), scale(), node() {
+    constexpr explicit tabulated(const Shape& shape) : Shape(shape), scale(), node() {
         using W = detail::at_least_double<T>;
         using std::sqrt;
         const auto wide = shape.template as<W>();
@@ -216,7 +215,7 @@ public:
         node[panels] = {T(0), T(0)};
     }
 
-    T back(const T& cot) const {
+    constexpr T back(const T& cot) const {
         using std::sqrt;
         const T x = (T(1) - T(1) / (T(1) + sqrt(cot / scale))) * T(panels);
         const int i = x < T(panels) ? static_cast<int>(x) : panels - 1;
@@ -228,7 +227,7 @@ public:
 
 private:
     T scale;
-    std::array<detail::value_and_slope<T>, panels + 1> node;
+    std::array<detail::value_and_slope<T>, std::size_t(panels) + 1> node;
 };
 
 /// A profile that somebody else keeps: `stretched{shared{profile}, alpha{a}}` costs a pointer where the profile holds a table.

@@ -13,7 +13,7 @@ namespace lobe {
 template <scalar T>
 class sgd_shape {
 public:
-    sgd_shape(const T& width, const T& exponent) : a(width), p(exponent), whole(), norm() {
+    constexpr sgd_shape(const T& width, const T& exponent) : a(width), p(exponent), whole(), norm() {
         using W = detail::at_least_double<T>;
         using std::exp, std::pow;
         assert(all(a > T(0)) && all(a <= T(100)) && "sgd: alpha must be in (0, 100]");
@@ -29,10 +29,10 @@ public:
         return root * root * norm;
     }
 
-    T survival(const T& tau) const { return detail::upper_gamma<T>(T(1) - p, a * (T(1) + tau)) / whole; }
+    constexpr T survival(const T& tau) const { return detail::upper_gamma<T>(T(1) - p, a * (T(1) + tau)) / whole; }
 
     /// Newton's method on the logarithm of the survival, in ln(1 + tau).
-    T tan2(const T& u) const {
+    constexpr T tan2(const T& u) const {
         using W = detail::at_least_double<T>;
         if constexpr (!std::same_as<W, T>) {
             return T(as<W>().tan2(W(u)));
@@ -48,10 +48,10 @@ public:
     }
 
     /// Beyond it exp(-alpha tau) < 1e-26.
-    T max_tan2() const { return T(60) / a; }
+    constexpr T max_tan2() const { return T(60) / a; }
 
     template <scalar U>
-    sgd_shape<U> as() const { return sgd_shape<U>(U(a), U(p)); }
+    constexpr sgd_shape<U> as() const { return sgd_shape<U>(U(a), U(p)); }
 
 private:
     T a, p, whole, norm;
@@ -69,7 +69,7 @@ class sgd : public radial<tabulated<sgd_shape<T>, T>, alpha<T>> {
     using shape = tabulated<sgd_shape<T>, T>;
 
 public:
-    sgd(const alpha<T>& width, const T& p) : radial<shape, alpha<T>>(shape(sgd_shape<T>(width.value(), p)), width) {}
+    constexpr sgd(const alpha<T>& width, const T& p) : radial<shape, alpha<T>>(shape(sgd_shape<T>(width.value(), p)), width) {}
 };
 template <scalar T>
 sgd(alpha<T>, T) -> sgd<T>;

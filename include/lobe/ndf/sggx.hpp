@@ -56,10 +56,9 @@ public:
 
     /// 1/sr, any positive or negative multiple of m.
     constexpr T D(const vec3<T>& m) const {
-        using std::abs;
         const vec3<T> yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
         const vec3<T> cofactor{dot(yz, m), dot(zx, m), dot(xy, m)};  // |A| A^-1 m
-        const T det = abs(dot(x, yz)), k = det * dot(m, m) / dot(cofactor, cofactor);
+        const T det = absolute(dot(x, yz)), k = det * dot(m, m) / dot(cofactor, cofactor);
         return det * k * k * inv_pi<T>();
     }
 
@@ -76,8 +75,7 @@ public:
 
 private:
     constexpr sggx(const vec3<T>& column_x, const vec3<T>& column_y, const vec3<T>& column_z) : x(column_x), y(column_y), z(column_z) {
-        using std::abs;
-        assert(all(abs(dot(x, cross(y, z))) > T(0)) && "sggx: the axes must span space and the areas be above 0");
+        assert(all(absolute(dot(x, cross(y, z))) > T(0)) && "sggx: the axes must span space and the areas be above 0");
     }
     constexpr vec3<T> seen(const vec3<T>& w) const { return {dot(x, w), dot(y, w), dot(z, w)}; }
 

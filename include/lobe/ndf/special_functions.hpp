@@ -9,7 +9,7 @@ namespace lobe::detail {
 template <scalar T>
 constexpr T expm1_ratio(const T& x) {
     using std::expm1;
-    const auto zero = x == T(0);
+    const auto zero = equal(x, T(0));
     return select(zero, T(1), expm1(x) / select(zero, T(1), x));
 }
 
@@ -17,21 +17,21 @@ constexpr T expm1_ratio(const T& x) {
 template <scalar T>
 constexpr T log1p_ratio(const T& x) {
     using std::log1p;
-    const auto zero = x == T(0);
+    const auto zero = equal(x, T(0));
     return select(zero, T(1), log1p(x) / select(zero, T(1), x));
 }
 
 /// The continued fraction a1/(b1 + a2/(b2 + ...)) by the modified method of Lentz (Thompson & Barnett 1986). Scalar types only.
 template <single T, class Numerator, class Denominator>
-T continued_fraction(const Numerator& a, const Denominator& b) {
+constexpr T continued_fraction(const Numerator& a, const Denominator& b) {
     using std::abs;
     const T tiny = zero_cosine<T>();  // stands for a zero that turns up by chance
     T value = b(1), c = value, d(0);
     for (int n = 2; n < 20000; ++n) {
         d = b(n) + a(n) * d;
-        d = T(1) / (d == T(0) ? tiny : d);
+        d = T(1) / (equal(d, T(0)) ? tiny : d);
         c = b(n) + a(n) / c;
-        c = c == T(0) ? tiny : c;
+        c = equal(c, T(0)) ? tiny : c;
         value *= c * d;
         if (abs(c * d - T(1)) < std::numeric_limits<T>::epsilon()) break;
     }
@@ -43,7 +43,7 @@ T continued_fraction(const Numerator& a, const Denominator& b) {
 /// (NIST DLMF 8.17.22, of which this is every second convergent, loses p ULP as x nears 1.) `complement` is 1 - x; `norm` is
 /// Gamma(p + q)/(Gamma(p) Gamma(q)). p, q > 0. Scalar types only. With q = 1/2 tens of terms for any p.
 template <single T>
-T incomplete_beta(const T& p, const T& q, const T& x, const T& complement, const T& norm) {
+constexpr T incomplete_beta(const T& p, const T& q, const T& x, const T& complement, const T& norm) {
     using std::exp, std::log, std::log1p;
     const auto tail = [&](const T& p1, const T& q1, const T& x1, const T& y1) {
         const auto numerator = [&](int n) {
@@ -58,8 +58,9 @@ T incomplete_beta(const T& p, const T& q, const T& x, const T& complement, const
         const T log_x = x1 < y1 ? log(x1) : log1p(-y1), log_y = x1 < y1 ? log1p(-x1) : log(y1);
         return exp(p1 * log_x + q1 * log_y) * norm * continued_fraction<T>(numerator, denominator);
     };
-    if (x == T(0)) return T(0);
-    return x < (p + T(1)) / (p + q + T(2)) ? tail(p, q, x, complement) : T(1) - (complement == T(0) ? T(0) : tail(q, p, complement, x));
+    if (equal(x, T(0))) return T(0);
+    if (x < (p + T(1)) / (p + q + T(2))) return tail(p, q, x, complement);
+    return T(1) - (equal(complement, T(0)) ? T(0) : tail(q, p, complement, x));
 }
 
 /// The regularised upper incomplete gamma function Q(s, x) = Gamma(s, x)/Gamma(s), s > 0, x >= 0: series of positive terms of its
@@ -67,36 +68,36 @@ T incomplete_beta(const T& p, const T& q, const T& x, const T& complement, const
 template <single T>
 struct incomplete_gamma {
     T s, gamma_s;
-    explicit incomplete_gamma(const T& shape) : s(shape), gamma_s() {
+    constexpr explicit incomplete_gamma(const T& shape) : s(shape), gamma_s() {
         using std::tgamma;
         gamma_s = tgamma(s);
     }
 
     /// x^s e^-x / Gamma(s)
-    T front(const T& x) const {
+    constexpr T front(const T& x) const {
         using std::exp, std::pow;
         return exp(-x) * pow(x, s) / gamma_s;
     }
-    T lower_by_series(const T& x) const {
+    constexpr T lower_by_series(const T& x) const {
         T term = T(1) / s, total = term;
         for (int n = 1; n < 10000 && term > total * std::numeric_limits<T>::epsilon() / T(4); ++n) total += term *= x / (s + T(n));
         return front(x) * total;
     }
-    T upper_by_fraction(const T& x) const {
+    constexpr T upper_by_fraction(const T& x) const {
         if (!(front(x) > T(0))) return T(0);
         const auto a = [&](int n) { return n == 1 ? T(1) : T(n - 1) * (s - T(n - 1)); };
         const auto b = [&](int n) { return x + T(2 * n - 1) - s; };
         return front(x) * continued_fraction<T>(a, b);
     }
-    T upper(const T& x) const { return x < s + T(1) ? T(1) - lower_by_series(x) : upper_by_fraction(x); }
-    T lower(const T& x) const { return x < s + T(1) ? lower_by_series(x) : T(1) - upper_by_fraction(x); }
+    constexpr T upper(const T& x) const { return x < s + T(1) ? T(1) - lower_by_series(x) : upper_by_fraction(x); }
+    constexpr T lower(const T& x) const { return x < s + T(1) ? lower_by_series(x) : T(1) - upper_by_fraction(x); }
 };
 
 /// The upper incomplete gamma function Gamma(s, x) for any real s and x > 0: the continued fraction from x or from 1 on, and
 /// below 1 the integral of the series of e^-y, term by term, as (1 - x^q)/q = -ln x phi(q ln x), which has no poles.
 /// Scalar types only. Relative error 1e-14 for |s| <= 8.
 template <single T>
-T upper_gamma(const T& s, const T& x) {
+constexpr T upper_gamma(const T& s, const T& x) {
     using std::exp, std::log, std::pow;
     const T from = larger(x, T(1));
     const auto a = [&](int n) { return n == 1 ? T(1) : T(n - 1) * (s - T(n - 1)); };
@@ -114,7 +115,7 @@ T upper_gamma(const T& s, const T& x) {
 /// The y >= 0 with erfc(y)/2 = p, 0 < p <= 1/2. Start: Abramowitz & Stegun 26.2.23 (4.5e-4); two steps of Halley, each of which
 /// cubes the error. Error: 4 ULP in double. Scalar types only.
 template <single T>
-T inverse_half_erfc(const T& p) {
+constexpr T inverse_half_erfc(const T& p) {
     using std::erfc, std::exp, std::log, std::sqrt;
     const T t = sqrt(T(-2) * log(p));
     T y = (t - (T(2.515517) + t * (T(0.802853) + t * T(0.010328))) /

@@ -43,7 +43,7 @@ public:
     /// Closed (Ribardiere et al. 2017): with y = k/(k + a^2),
     ///   B y^(k-1/2) - a Q,  Q = I_y(k, 1/2)/2,  B = k^(3/2) Gamma(k + 1/2) / (sqrt(pi) Gamma(k + 1) (2k - 1)),
     /// whose difference costs a factor of 1 + min(k, a^2): computed in double at least. Scalar types only.
-    T back(const T& a) const
+    constexpr T back(const T& a) const
         requires(detail::single<T>)
     {
         using W = detail::at_least_double<T>;
@@ -68,7 +68,7 @@ private:
 
     /// Gamma(k + 1/2)/Gamma(k) by its asymptotic series in w^-2, w = k - 1/4 (NIST DLMF 5.11.14), after the recurrence has
     /// raised k to 16. Relative error 5e-19. (Beyond double: Gamma itself.)
-    T gamma_ratio() const {
+    constexpr T gamma_ratio() const {
         using std::sqrt, std::tgamma;
         if constexpr (detail::beyond_double<T>)
             if (k < T(10000)) return tgamma(k + T(1) / T(2)) / tgamma(k);

@@ -55,7 +55,7 @@ constexpr concentric_point<T> concentric(const vec2<T>& u) {
     const T edge_x = smaller(u.x, T(1) - u.x), edge_y = smaller(u.y, T(1) - u.y);
     const auto wide = edge_x < edge_y;
     const T r = select(wide, a, b), other = select(wide, b, a);
-    const auto [s, c] = sincos_2pi(other / select(r == T(0), T(1), r) * T(0.125f));
+    const auto [s, c] = sincos_2pi(other / select(equal(r, T(0)), T(1), r) * T(0.125f));
     return {{r * select(wide, c, s), r * select(wide, s, c)}, smaller(edge_x, edge_y)};
 }
 
@@ -68,13 +68,18 @@ constexpr vec2<T> square_to_uniform_disk_concentric(const vec2<T>& u) {
 }
 
 template <scalar T>
+constexpr T uniform_disk_concentric_pdf() {
+    return inv_pi<T>();
+}
+
+template <scalar T>
 constexpr vec2<T> uniform_disk_concentric_to_square(const vec2<T>& p) {
-    using std::abs, std::atan2, std::sqrt;
+    using std::atan2, std::sqrt;
     const T r = sqrt(dot(p, p));
-    const auto wide = abs(p.x) > abs(p.y);
+    const auto wide = absolute(p.x) > absolute(p.y);
     const T sign = select(select(wide, p.x, p.y) < T(0), T(-1), T(1));
     const T major = sign * r;
-    const T angle = atan2(sign * select(wide, p.y, p.x), abs(select(wide, p.x, p.y)));  // in [-pi/4, pi/4]
+    const T angle = atan2(sign * select(wide, p.y, p.x), absolute(select(wide, p.x, p.y)));  // in [-pi/4, pi/4]
     const T minor = major * angle * (T(4) * inv_pi<T>());
     return {(select(wide, major, minor) + T(1)) / T(2), (select(wide, minor, major) + T(1)) / T(2)};
 }
@@ -124,6 +129,11 @@ constexpr vec3<T> square_to_cosine_hemisphere_concentric(const vec2<T>& u) {
     using std::sqrt;
     const auto [p, edge] = detail::concentric(u);
     return {p.x, p.y, T(2) * sqrt(edge * (T(1) - edge))};
+}
+
+template <scalar T>
+constexpr T cosine_hemisphere_concentric_pdf(const vec3<T>& w) {
+    return cosine_hemisphere_pdf(w);
 }
 
 template <scalar T>

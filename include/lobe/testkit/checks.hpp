@@ -62,7 +62,7 @@ public:
         const double size = (std::max)(std::abs(measured), std::abs(expected));
         if (!(size > smallest)) return;
         ++count;
-        if (expected != 0) ratios.add(measured / expected);
+        if (!equal(expected, 0.0)) ratios.add(measured / expected);
         const double deviation = std::abs(measured - expected) / size;
         if (deviation > closest) closest = deviation, close_at = {measured, expected, deviation, channel, at};
         if (!(deviation > tolerance)) return;
@@ -100,8 +100,13 @@ public:
             const double size = (std::max)(std::abs(s.measured), std::abs(s.expected));
             const double limit = (tolerance + 4 * (std::max)(noises[i], typical)) * size;
             const double excess = std::abs(s.measured - s.expected) / limit;
-            if (excess > 1 && s.expected != 0) wrong.push_back({s.measured / s.expected, vec3<double>(s.at.v), vec3<double>(s.at.l)});
-            if (excess > worst) worst = excess, allowed = limit, at = s;
+            if (excess > 1 && !equal(s.expected, 0.0))
+                wrong.push_back({s.measured / s.expected, vec3<double>(s.at.v), vec3<double>(s.at.l)});
+            if (excess > worst) {
+                worst = excess;
+                allowed = limit;
+                at = s;
+            }
         }
         if (worst > 1) {
             r.add({{property, at.measured, at.expected, allowed, at.at.text(), explain(wrong, otherwise)}, false});
@@ -156,7 +161,10 @@ public:
         const double excess = off / allowed;
         if (excess > 1) wrong.push_back({measured / expected, v, {0, 0, 1}});
         ++count;
-        if (excess > worst) worst = excess, result = {property, measured, expected, allowed, at, ""};
+        if (excess > worst) {
+            worst = excess;
+            result = {property, measured, expected, allowed, at, ""};
+        }
     }
     bool holds() const { return wrong.empty(); }
     void report_to(report& r) const {
@@ -306,7 +314,10 @@ public:
         double chance = probability(over_l, chart, samples);
         for (std::uint64_t again = 1; again <= 2 && chance < significance() && total.holds() && means.holds(); ++again)
             chance = (std::max)(chance, probability(over_l, chart, draw_strata(draw, 2 * budget_.strata, seed + 500 * again)));
-        if (chance < least) least = chance, least_at = at;
+        if (chance < least) {
+            least = chance;
+            least_at = at;
+        }
     }
 
     void report_to(report& r) const {

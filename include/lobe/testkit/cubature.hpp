@@ -1,6 +1,8 @@
 // Integrals over a rectangle by an adaptive mesh, which finds narrow peaks by itself and whose cells then serve as bins.
 #pragma once
 
+#include <lobe/core/scalar.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -223,7 +225,7 @@ private:
             if (k < driving && c.error[k] > size) size = c.error[k], dx = fourth_x[k], dy = fourth_y[k];
         }
         // Where the differences do not decide, the longer side of the cell in units of the first grid.
-        c.cut_x = dx == dy ? c.width * nx >= c.height * ny : dx > dy;
+        c.cut_x = equal(dx, dy) ? c.width * nx >= c.height * ny : dx > dy;
     }
 
     integrand f;

@@ -72,9 +72,9 @@ private:
         for (double x = 1; x > 1e-12; x /= 3) look(x), look(1 - x);
         look(static_cast<double>(std::numeric_limits<T>::denorm_min()));
         const auto where = [](const char*, T x) { return "cosine = " + literal(x); };
-        r.add({{"F is finite", not_finite, 0, 0, not_finite != 0 ? where("", nan_at) : "",
+        r.add({{"F is finite", not_finite, 0, 0, !equal(not_finite, 0.0) ? where("", nan_at) : "",
                 "a 0/0, or the root or power of a negative number"},
-               not_finite == 0});
+               equal(not_finite, 0.0)});
         r.add({{"F is not negative", low, 0, rounding, where("", low_at), "a reflectance is at least 0"}, low >= -rounding});
         r.add({{"F is at most 1", high, 1, rounding, where("", high_at),
                 "a reflectance is at most 1: the factor (1 - F0) is missing, or F90 is above 1"},
@@ -90,7 +90,10 @@ private:
             if (grazing[i] - normal[i] < grazing[k] - normal[k]) k = i;
             // dF/dcos at 1, extrapolated from two steps: the quadratic term, which is there, cancels.
             const double slope = std::abs(10 * (normal[i] - close[i]) / 1e-4 - (normal[i] - further[i]) / 1e-3) / 9;
-            if (slope > steepest) steepest = slope, steep = i;
+            if (slope > steepest) {
+                steepest = slope;
+                steep = i;
+            }
         }
         r.add({{"F at grazing is at least F at normal", grazing[k], normal[k], rounding, "cosine = 0 and 1",
                 "F falls towards grazing: F0 and F90 are swapped, or the power is of the cosine instead of 1 - cosine"},

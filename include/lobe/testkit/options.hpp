@@ -1,6 +1,8 @@
 // What is claimed of a subject, and how hard to look.
 #pragma once
 
+#include <lobe/core/cpp20.hpp>
+
 #include <cstdint>
 #include <optional>
 #include <string>

@@ -1,6 +1,8 @@
 // What a verdict consists of: one check a property, with the worst input and what such a failure usually means.
 #pragma once
 
+#include <lobe/core/cpp20.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -26,9 +28,9 @@ struct check : finding {
 
 namespace detail {
 
-inline std::string number(double x, const char* format = "%.6g") {
+inline std::string number(double x, int digits = 6) {
     char text[40];
-    std::snprintf(text, sizeof text, format, std::isnan(x) ? std::abs(x) : x);  // not "-nan"
+    std::snprintf(text, sizeof text, "%.*g", digits, std::isnan(x) ? std::abs(x) : x);  // not "-nan"
     return text;
 }
 
@@ -48,7 +50,7 @@ inline std::string quoted(const std::string& text) {
 }
 
 /// JSON knows no NaN and no infinity: they are null.
-inline std::string json_number(double x) { return std::isfinite(x) ? number(x, "%.17g") : "null"; }
+inline std::string json_number(double x) { return std::isfinite(x) ? number(x, 17) : "null"; }
 
 }  // namespace detail
 

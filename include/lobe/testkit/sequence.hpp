@@ -53,15 +53,16 @@ template <class Points>
         ++index;
     }
     r.add({{"points are in [0,1)", outside, 0, 0, worst,
-            outside == 1 ? "rounding or i/(n-1) reaches 1: what takes u in [0,1) breaks there" : "a coordinate is outside the unit square"},
+            equal(outside, 1.0) ? "rounding or i/(n-1) reaches 1: what takes u in [0,1) breaks there"
+                                : "a coordinate is outside the unit square"},
            worst.empty()});
     r.add({{"at least 64 points", static_cast<double>(p.size()), 64, 0, "", "too few to say more"}, p.size() >= 64});
     if (p.size() < 64 || !worst.empty()) return r;
 
     std::vector<vec2<double>> sorted = p;
-    std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.x < b.x || (equal(a.x, b.x) && a.y < b.y); });
     const auto twice =
-        std::adjacent_find(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.x == b.x && a.y == b.y; });
+        std::adjacent_find(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return equal(a.x, b.x) && equal(a.y, b.y); });
     r.add({{"points are distinct", twice == sorted.end() ? 0.0 : 1.0, 0, 0,
             twice == sorted.end() ? "" : detail::literal("u", vec2<T>(static_cast<T>(twice->x), static_cast<T>(twice->y))),
             "a point comes twice: the index loses bits, or the sequence repeats"},

@@ -1,6 +1,8 @@
 // Do counts follow the expected ones? Pearson's chi-squared with merged bins.
 #pragma once
 
+#include <lobe/core/cpp20.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -47,11 +47,11 @@ struct spectrum<S> {
     static constexpr std::size_t size = 1;
     static double get(const S& s, std::size_t) { return static_cast<double>(s); }
 };
-template <int N, class T, glm::qualifier Q>
+template <glm::length_t N, class T, glm::qualifier Q>
 struct spectrum<glm::vec<N, T, Q>> {
     using scalar = T;
     static constexpr std::size_t size = static_cast<std::size_t>(N);
-    static double get(const glm::vec<N, T, Q>& s, std::size_t i) { return static_cast<double>(s[static_cast<int>(i)]); }
+    static double get(const glm::vec<N, T, Q>& s, std::size_t i) { return static_cast<double>(s[static_cast<glm::length_t>(i)]); }
 };
 template <has_size S>
 struct spectrum<S> {
@@ -126,7 +126,7 @@ auto scalar_of_brdf() {
 /// Where a value was asked for: ready to paste.
 template <class T>
 std::string literal(T x) {
-    std::string text = number(static_cast<double>(x), std::is_same_v<T, float> ? "%.9g" : "%.17g");
+    std::string text = number(static_cast<double>(x), std::is_same_v<T, float> ? 9 : 17);
     if (!std::isfinite(x)) return text;
     if (text.find_first_of(".e") == std::string::npos) text += ".0";
     return text + (std::is_same_v<T, float> ? "f" : "");
@@ -227,7 +227,7 @@ struct watch {
             ++negative;
             if (x < negative_value) negative_value = x, negative_place = at;
         }
-        if (must_vanish && x != 0) {
+        if (must_vanish && !equal(x, 0.0)) {
             ++below;
             if (std::abs(x) > std::abs(below_value)) below_value = x, below_place = at;
         }
@@ -238,7 +238,7 @@ struct watch {
         report& r, bool says_below = true,
         const char* why_below = "light from below the horizon is reflected: the sign of a cosine is lost (abs) or never looked at") const {
         const auto share = [&](long n) {
-            return " (" + number(100.0 * static_cast<double>(n) / static_cast<double>((std::max)(calls, 1L)), "%.3g") + " % of the values)";
+            return " (" + number(100.0 * static_cast<double>(n) / static_cast<double>((std::max)(calls, 1L)), 3) + " % of the values)";
         };
         r.add({{what + " is finite", not_finite ? nan_value : 0, 0, 0, not_finite ? nan_place.text() : "",
                 not_finite == calls ? "every value is NaN or infinite"
@@ -379,7 +379,7 @@ public:
         bool carries_light = false;
         for (double& w : s.weight) {
             w = of_sample.see(w, last, false);
-            carries_light |= w != 0;
+            carries_light |= !equal(w, 0.0);
         }
         if (s.pdf > 0) {  // a failed sample may carry any l
             for (const T x : {s.l.x, s.l.y, s.l.z}) of_sample.see(static_cast<double>(std::abs(x)), last, false);

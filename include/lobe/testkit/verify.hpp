@@ -84,7 +84,7 @@ private:
     /// Samples that go where they cannot be right: it explains whatever else is found of them.
     std::string clue_of_samples() const {
         if (one_direction > 0.1)
-            return number(100 * one_direction, "%.3g") +
+            return number(100 * one_direction, 3) +
                    " % of the samples from one v are one and the same direction: a perfect mirror, or a lobe without width, which no "
                    "density describes; give it a small roughness, or leave it out";
         if (most_are_lost()) return lost;
@@ -121,9 +121,9 @@ private:
                      unit});
             all.add(
                 {{"no light without a density", double(b.light_without_pdf), 0, 0, b.light_without_pdf ? b.light_place.text() : "",
-                  b.largest == 0 ? "pdf is 0 and the weight is not: a perfect mirror, whose f_cos is a delta that no density describes; "
-                                   "verify it with a small roughness, or leave it out"
-                                 : "a sample with pdf 0 has failed: its weight must be 0"},
+                  equal(b.largest, 0.0) ? "pdf is 0 and the weight is not: a perfect mirror, whose f_cos is a delta that no density "
+                                          "describes; verify it with a small roughness, or leave it out"
+                                        : "a sample with pdf 0 has failed: its weight must be 0"},
                  b.light_without_pdf == 0});
         }
     }
@@ -224,7 +224,7 @@ private:
                     double sum = 0;
                     for (std::size_t k = 0; k < channels; ++k) sum += out[k] = f[k] * p.area;
                     if (b.has_pdf())
-                        if (sum > 0 && b.pdf(v, l) == 0) out[channels + 5] = sum;
+                        if (sum > 0 && equal(b.pdf(v, l), 0.0)) out[channels + 5] = sum;
                     const auto t = numbers_of(w, p.l);
                     for (std::size_t k = 0; k < 5; ++k) out[channels + k] = sum * t[k];
                     return out;
@@ -302,10 +302,10 @@ private:
 
     /// Asked twice, a function answers twice the same.
     void repeat(const V& v, const V& l, const values& f, const vec2<T>& u) {
-        bool same = b.f_cos(v, l) == f && (!b.has_pdf() || b.pdf(v, l) == b.pdf(v, l));
+        bool same = b.f_cos(v, l) == f && (!b.has_pdf() || equal(b.pdf(v, l), b.pdf(v, l)));
         if (same && b.has_sample()) {
             const auto one = b.sample(v, u), two = b.sample(v, u);
-            same = one.pdf == two.pdf && one.weight == two.weight && (!one.ok || one.l == two.l);
+            same = equal(one.pdf, two.pdf) && one.weight == two.weight && (!one.ok || one.l == two.l);
         }
         if (!same && !unsteady++) unsteady_at = {v, l, u, true, true};
     }
@@ -415,7 +415,7 @@ private:
         return {static_cast<T>(c * x - s * y), static_cast<T>(s * x + c * y), w.z};
     }
     /// A number that a spectrum of unknown size does not have.
-    static bool is_padding(std::size_t k, double x) { return k > 0 && channels == 16 && x == 0; }
+    static bool is_padding(std::size_t k, double x) { return k > 0 && channels == 16 && equal(x, 0.0); }
 
     static constexpr double unit_tolerance = 64 * static_cast<double>(std::numeric_limits<T>::epsilon());
 
