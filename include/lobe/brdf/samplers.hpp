@@ -38,7 +38,7 @@ struct all_normals {
     template <distribution N, class T = typename N::scalar>
     constexpr T area(const N&, const vec3<T>&, const T& v_m, const T& m_z, const T&) const {
         const auto above = v_m * m_z > T(0);  // (v.z + l.z)/2
-        return select(above, v_m, T(1)) / select(above, m_z, T(1));
+        return select(above, quotient(above, v_m, m_z), T(1));
     }
 };
 

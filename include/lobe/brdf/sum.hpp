@@ -172,7 +172,7 @@ private:
         // A failed sample is looked at from n, as 0 times the NaN of a NaN view would be a NaN. (Of which v.v > 0 says that it is none.)
         const auto drawn = chosen_pdf > T(0) && dot(v, v) > T(0);
         const auto e = evaluate(p, select(drawn, v, n), select(drawn, l, n), every_lobe);
-        const auto valid = drawn && e.pdf > T(0);
+        const auto valid = drawn && e.pdf > detail::smallest<T>();
         return {select(valid, l, n), e.f_cos * quotient(valid, T(1), e.pdf), select(valid, e.pdf, T(0))};
     }
 
