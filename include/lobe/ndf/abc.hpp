@@ -37,7 +37,7 @@ public:
 
     /// Newton's method on ln y. Scalar types only.
     constexpr T tan2(const T& u) const
-        requires(detail::single<T>)
+        requires(detail::one_lane<T>)
     {
         using W = detail::at_least_double<T>;
         if constexpr (!std::same_as<W, T>) {

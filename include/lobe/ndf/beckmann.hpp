@@ -58,7 +58,7 @@ struct beckmann_shape {
     /// below the horizon:  z (1 + erf x)/2 + s exp(-x^2)/(2 sqrt(pi)) = u.x sigma,  x < cot.
     /// Scalar types only. u.x = 0 and u.y = 0 give slopes of about 10 instead of infinite ones.
     constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const
-        requires(detail::single<T>)
+        requires(detail::one_lane<T>)
     {
         using std::erfc, std::exp, std::sqrt;
         const T z = v.z, s = sqrt(v.x * v.x + v.y * v.y), root_pi = sqrt(pi<T>()), last(9);

@@ -8,32 +8,32 @@ namespace lobe {
 /// n = 2/alpha^2 - 2: the exponent whose peak is that of GGX and Beckmann of width alpha, 1/(pi alpha^2). Walter et al. 2007, p. 7;
 /// Karis 2013. (The misprint 2 alpha^2 - 2 is normalised too, and grows towards the horizon.)
 template <scalar T>
-constexpr T exponent_from_alpha(const alpha<T>& a) {
+constexpr T blinn_phong_exponent_from_alpha(const alpha<T>& a) {
     return T(2) * (T(1) - a.value()) * (T(1) + a.value()) / (a.value() * a.value());
 }
 
 /// alpha = sqrt(2/(n + 2)), n > -2: its inverse.
 template <scalar T>
-constexpr alpha<T> alpha_from_exponent(const T& n) {
+constexpr alpha<T> alpha_from_blinn_phong_exponent(const T& n) {
     using std::sqrt;
     return alpha<T>(sqrt(T(2) / (n + T(2))));
 }
 
-/// The exponent of Blinn's n.h lobe that resembles Phong's r.v lobe of the given shininess: four times it, because the
-/// half vector turns half as fast (Fisher & Woo 1994, "R.E versus N.H Specular Highlights"). Exact as shininess grows.
+/// The exponent of Blinn's n.h lobe that resembles Phong's r.v lobe of the exponent n: four times it, because the
+/// half vector turns half as fast (Fisher & Woo 1994, "R.E versus N.H Specular Highlights"). Exact as n grows.
 template <scalar T>
-constexpr T exponent_from_phong_shininess(const T& shininess) {
-    return T(4) * shininess;
+constexpr T blinn_phong_exponent_from_phong_exponent(const T& n) {
+    return T(4) * n;
 }
 
 template <scalar T>
-constexpr T phong_shininess_from_exponent(const T& n) {
+constexpr T phong_exponent_from_blinn_phong_exponent(const T& n) {
     return n / T(4);
 }
 
-/// An exponent from an artist's gloss s in [0,1]: largest^s, from 1 to `largest`.
+/// Blinn's exponent from an artist's gloss s in [0,1]: largest^s, from 1 to `largest`.
 template <scalar T>
-constexpr T exponent_from_gloss(const T& s, const T& largest) {
+constexpr T blinn_phong_exponent_from_gloss(const T& s, const T& largest) {
     using std::pow;
     return pow(largest, s);
 }
@@ -49,7 +49,7 @@ class blinn_phong : public radial<student_t_shape<T>, alpha<T>> {
 public:
     constexpr explicit blinn_phong(const alpha<T>& width)
         : radial<student_t_shape<T>, alpha<T>>(student_t_shape<T>::from_k(inverse_square(width.value())), width) {}
-    static constexpr blinn_phong from_exponent(const T& n) { return blinn_phong(alpha_from_exponent(n)); }
+    static constexpr blinn_phong from_exponent(const T& n) { return blinn_phong(alpha_from_blinn_phong_exponent(n)); }
 
 private:
     static constexpr T inverse_square(const T& a) {

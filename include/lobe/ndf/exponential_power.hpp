@@ -26,13 +26,13 @@ public:
 
     /// Q(1/p, tau^p), the regularised incomplete gamma function. Scalar types only, as its inverse.
     constexpr T survival(const T& tau) const
-        requires(detail::single<T>)
+        requires(detail::one_lane<T>)
     {
         using std::pow;
         return detail::incomplete_gamma<T>(T(1) / p).upper(pow(tau, p));
     }
     constexpr T tan2(const T& u) const
-        requires(detail::single<T>)
+        requires(detail::one_lane<T>)
     {
         using W = detail::at_least_double<T>;
         using std::exp, std::log, std::log1p;

@@ -29,13 +29,13 @@ concept radial_shape = requires(const S shape, const T x) {
 namespace detail {
 
 /// f(tau), the density of slopes.
-template <class Shape, single T>
+template <class Shape, one_lane T>
 constexpr T slope_density(const Shape& shape, const T& tau) {
     return shape.D(tau, T(1));
 }
 
 /// int g(R) 2 pi f(a^2 + R^2) R dR over R > from: an average over the facets whose slope r is more than `a`, R^2 = r^2 - a^2.
-template <single T, class Shape, class G>
+template <one_lane T, class Shape, class G>
 constexpr auto average_over_steep(const Shape& shape, const T& a, const T& from, const G& g) {
     using std::sqrt;
     const auto integrand = [&](const T& R) { return g(R) * (T(2) * pi<T>() * slope_density(shape, a * a + R * R) * R); };
@@ -49,7 +49,7 @@ constexpr auto average_over_steep(const Shape& shape, const T& a, const T& from,
 
 /// back(a) by quadrature, and its slope: (1/pi) int (R - a atan(R/a)) and -(1/pi) int atan(R/a) over the facets steeper than
 /// a.
-template <single T, class Shape>
+template <one_lane T, class Shape>
 constexpr value_and_slope<T> back_by_quadrature(const Shape& shape, const T& a) {
     using std::atan2;
     const vec2<T> both = average_over_steep(shape, a, T(0), [&](const T& R) {
@@ -66,7 +66,7 @@ constexpr value_and_slope<T> back_by_quadrature(const Shape& shape, const T& a) 
 ///   z phi + s r sin phi = (2 u.y - 1) (z phi_max + s r sin phi_max).
 /// Unit v, also below the horizon; `back` is the area of back faces over s. Scalar types only; 200 to 500 evaluations of D
 /// at grazing angles, none from above.
-template <class Shape, single T>
+template <class Shape, one_lane T>
 constexpr vec3<T> sample_visible_radial(const Shape& shape, const T& back, const vec3<T>& v, const vec2<T>& u) {
     using std::asinh, std::atan2, std::cos, std::log, std::sin, std::sinh, std::sqrt;
     const T z = v.z, s = sqrt(v.x * v.x + v.y * v.y), cot = s > T(0) ? z / s : T(0), a = larger(cot, -cot);
@@ -112,7 +112,7 @@ constexpr vec3<T> sample_visible_radial(const Shape& shape, const T& back, const
 }
 
 /// The same, computed in double at least.
-template <class Shape, single T>
+template <class Shape, one_lane T>
 constexpr vec3<T> sample_visible_by_quadrature(const Shape& shape, const vec3<T>& v, const vec2<T>& u) {
     using W = at_least_double<T>;
     using std::sqrt;
@@ -166,7 +166,7 @@ public:
     }
 
     constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const
-        requires(detail::single<T> && !requires { typename Shape::approximate_area; })
+        requires(detail::one_lane<T> && !requires { typename Shape::approximate_area; })
     {
         if constexpr (requires { shape.sample_visible(v, u); })
             return shape.sample_visible(v, u);
@@ -196,7 +196,7 @@ public:
 /// Build it once, not per pixel: about half a millisecond. Scalar types only.
 /// Error of a projected area: 3e-6 of the one along the horizon where the slopes span less than four powers of ten, or as the distribution
 /// says: `gtr` and `abc` at alpha = 1e-4 are off by 4e-5.
-template <class Shape, detail::single T, int panels = 96>
+template <class Shape, detail::one_lane T, int panels = 96>
 class tabulated : public Shape {
 public:
     constexpr explicit tabulated(const Shape& shape) : Shape(shape), scale(), node() {

@@ -44,7 +44,7 @@ public:
     ///   B y^(k-1/2) - a Q,  Q = I_y(k, 1/2)/2,  B = k^(3/2) Gamma(k + 1/2) / (sqrt(pi) Gamma(k + 1) (2k - 1)),
     /// whose difference costs a factor of 1 + min(k, a^2): computed in double at least. Scalar types only.
     constexpr T back(const T& a) const
-        requires(detail::single<T>)
+        requires(detail::one_lane<T>)
     {
         using W = detail::at_least_double<T>;
         using std::exp, std::log1p, std::sqrt;
