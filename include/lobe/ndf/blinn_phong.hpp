@@ -44,11 +44,11 @@ constexpr T blinn_phong_exponent_from_gloss(const T& s, const T& largest) {
 /// Domain: 0 < alpha <= 1 (n >= 0). D in 1/sr. Projected area, Lambda, visible normals: scalar types only (0.2 microseconds an
 /// area); `masked_by{blinn_phong{a}, beckmann{a}}` is the usual cheap stand-in (Walter et al. 2007). Error of D:
 /// 10 (1 + |ln(D pi alpha^2 cos^4)|) ULP; of the projected area and of Lambda: those of `student_t`.
-template <scalar T>
-class blinn_phong : public radial<student_t_shape<T>, alpha<T>> {
+template <scalar T, detail::width_type Width = alpha<T>>
+class blinn_phong : public radial<student_t_shape<T>, detail::one_width_in_t<Width, T>> {
 public:
-    constexpr explicit blinn_phong(const alpha<T>& width)
-        : radial<student_t_shape<T>, alpha<T>>(student_t_shape<T>::from_k(inverse_square(width.value())), width) {}
+    constexpr explicit blinn_phong(const Width& width)
+        : radial<student_t_shape<T>, Width>(student_t_shape<T>::from_k(inverse_square(width.x())), width) {}
     static constexpr blinn_phong from_exponent(const T& n) { return blinn_phong(alpha_from_blinn_phong_exponent(n)); }
 
 private:
@@ -57,7 +57,7 @@ private:
         return T(1) / (a * a);
     }
 };
-template <scalar T>
-blinn_phong(alpha<T>) -> blinn_phong<T>;
+template <class W>
+blinn_phong(W) -> blinn_phong<detail::number_t<W>, detail::width_t<W>>;
 
 }  // namespace lobe
