@@ -128,7 +128,7 @@ section pdf_visible() {
     rows_of<itself> rows("pdf, visible normals", {{"pdf", relative, 0, 1}});
     const auto exact = [](const auto& e) { return one(truth::pdf_visible(e)); };
     rows.against(
-        "lobe `pdf`, `visible_caps`", [](const auto& e) { return one(brdf(e).pdf(e.v(), e.l())); }, exact);
+        "lobe `pdf`, `visible_normals`", [](const auto& e) { return one(brdf(e).pdf(e.v(), e.l())); }, exact);
     rows.against("textbook, G1 D VoH / NoV / (4 VoH)", textbook_pdf<textbook::pdf_visible>, exact);
     return rows.made;
 }
@@ -161,7 +161,7 @@ constexpr auto exact_sample = [](const auto& e) {
 
 section sample_visible() {
     rows_of<sample> rows("Sample visible normals: l, weight, pdf", sample_metrics);
-    rows.against("lobe `sample`, `visible_caps`", brdf, exact_sample<truth::sample_caps>);
+    rows.against("lobe `sample`, `visible_normals`", brdf, exact_sample<truth::sample_caps>);
     rows.against("textbook, Heitz 2018", textbook_sample<textbook::sample_visible>, exact_sample<truth::sample_heitz2018>);
     return rows.made;
 }

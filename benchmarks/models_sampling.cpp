@@ -15,7 +15,7 @@ namespace {
 using lobe::alpha, lobe::ggx, lobe::microfacet, lobe::schlick, lobe::smith_correlated;
 
 /// A lobe of any distribution, with the Fresnel of the element.
-template <class N, class Sampler = lobe::visible_caps>
+template <class N, class Sampler = lobe::visible_normals>
 [[gnu::always_inline]] inline auto lobe_of(const N& ndf, const auto& e, const Sampler& sampler = {}) {
     return microfacet{ndf, smith_correlated{}, schlick{e.F0()}, sampler};
 }
@@ -57,11 +57,11 @@ std::vector<std::vector<std::string>> diffuse_variances() {
 
 std::vector<std::vector<std::string>> variances() {
     std::vector<std::vector<std::string>> table{
-        {"variance / mean^2 of the weight"}, {"`visible_caps`, `visible_heitz2018`"}, {"`visible_bounded_caps`"}, {"`all_normals`"}};
+        {"variance / mean^2 of the weight"}, {"`visible_normals`, `visible_heitz2018`"}, {"`visible_bounded_caps`"}, {"`all_normals`"}};
     for (const double width : {0.1, 0.5, 1.0})
         for (const double mu : {0.95, 0.5, 0.1}) {
             table[0].push_back("alpha " + text("%.1f", width) + ", cos " + text("%.2f", mu));
-            table[1].push_back(text("%.2g", relative_variance(lobe::visible_caps{}, width, mu)));
+            table[1].push_back(text("%.2g", relative_variance(lobe::visible_normals{}, width, mu)));
             table[2].push_back(text("%.2g", relative_variance(lobe::visible_bounded_caps{}, width, mu)));
             table[3].push_back(text("%.2g", relative_variance(lobe::all_normals{}, width, mu)));
         }
@@ -70,7 +70,7 @@ std::vector<std::vector<std::string>> variances() {
 
 std::vector<section> samplers() {
     rows_of<sample> of_ggx("Samplers of GGX", sample_metrics);
-    of_ggx.add("`visible_caps`", ggx_lobe<lobe::visible_caps>);
+    of_ggx.add("`visible_normals`", ggx_lobe<lobe::visible_normals>);
     of_ggx.add("`visible_bounded_caps`", ggx_lobe<lobe::visible_bounded_caps>);
     of_ggx.add("`visible_heitz2018`", ggx_lobe<lobe::visible_heitz2018>);
     of_ggx.add("`all_normals`", ggx_lobe<lobe::all_normals>);
@@ -146,7 +146,7 @@ rows_of<Operation> compositions(const char* title, std::vector<metric> metrics) 
         else
             rows.add(label, model);
     };
-    rows.add("`microfacet` alone", ggx_lobe<lobe::visible_caps>);
+    rows.add("`microfacet` alone", ggx_lobe<lobe::visible_normals>);
     rows.add("`metallic_roughness`", [](const auto& e) { return metallic(e); });
     rows.add("`layered`, `fresnel_coupling`", [](const auto& e) { return over_lambert(e, lobe::fresnel_coupling{schlick{e.F0()}}); });
     from_table("`layered`, `albedo_coupling`, table", with_albedo<table_albedo>, with_albedo<exact_albedo>);

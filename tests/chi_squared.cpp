@@ -196,7 +196,7 @@ void microfacets_of_ggx(all_tests& tests) {
         const auto with = [&](const auto& sampler) {
             return lobe::microfacet{ndf, lobe::smith_correlated{}, lobe::perfect_reflector{}, sampler};
         };
-        tests.of_lights("visible_caps " + name, with(lobe::visible_caps{}), mu);
+        tests.of_lights("visible_normals " + name, with(lobe::visible_normals{}), mu);
         tests.of_lights("visible_heitz2018 " + name, with(lobe::visible_heitz2018{}), mu);
         tests.of_lights("visible_bounded_caps " + name, with(lobe::visible_bounded_caps{}), mu);
         tests.of_lights("all_normals " + name, with(lobe::all_normals{}), mu);
@@ -345,7 +345,7 @@ TEST_CASE("chi-squared of a million can see: a density that is 1 % off fails", "
     };
     CHECK(light_directions(tilted(0.5, 1.0), at(0.2), 7).p < 1e-4);
     // visible normals drawn, bounded caps stated
-    struct wrong : lobe::visible_caps {
+    struct wrong : lobe::visible_normals {
         double area(const ggx<double>& ndf, const vec3<double>& v, double v_m, double m_z, double sv) const {
             return lobe::visible_bounded_caps{}.area(ndf, v, v_m, m_z, sv);
         }

@@ -109,9 +109,9 @@ struct from_pbrt {
         const pbrt::SampledSpectrum f = bxdf.f(to(v), to(l), pbrt::TransportMode::Radiance);
         return glm::vec3(f[0], f[1], f[2]) * l.z;
     }
-    auto sample(glm::vec3 v, glm::vec2 u) const {
+    auto sample(glm::vec3 v, glm::vec3 u) const {
         lobe::testkit::sampled_light<glm::vec3, float> out{{0, 0, 1}, glm::vec3(0), 0};
-        const auto s = bxdf.Sample_f(to(v), 0.5f, {u.x, u.y}, pbrt::TransportMode::Radiance);
+        const auto s = bxdf.Sample_f(to(v), u.z, {u.x, u.y}, pbrt::TransportMode::Radiance);
         if (!s) return out;
         out = {{s->wi.x, s->wi.y, s->wi.z}, glm::vec3(s->f[0], s->f[1], s->f[2]) * (std::abs(s->wi.z) / s->pdf), s->pdf};
         return out;
@@ -130,8 +130,8 @@ struct from_mitsuba {
         const auto f = bsdf->eval({}, at(v), {l.x, l.y, l.z});
         return {f[0], f[1], f[2]};
     }
-    auto sample(glm::vec3 v, glm::vec2 u) const {
-        const auto [s, w] = bsdf->sample({}, at(v), 0.5f, {u.x, u.y});
+    auto sample(glm::vec3 v, glm::vec3 u) const {
+        const auto [s, w] = bsdf->sample({}, at(v), u.z, {u.x, u.y});
         return lobe::testkit::sampled_light<glm::vec3, float>{{s.wo.x(), s.wo.y(), s.wo.z()}, {w[0], w[1], w[2]}, s.pdf};
     }
     float pdf(glm::vec3 v, glm::vec3 l) const { return bsdf->pdf({}, at(v), {l.x, l.y, l.z}); }

@@ -99,14 +99,14 @@ TEST_CASE("warps have the density they state and an inverse", "[sampling]") {
     using d3 = vec3<double>;
     expect(check_warp([](d2 u) { return lobe::square_to_uniform_disk(u); }, [](d2) { return lobe::uniform_disk_pdf<double>(); },
                       [](d2 p) { return lobe::uniform_disk_to_square(p); }));
-    expect(check_warp([](d2 u) { return lobe::square_to_uniform_disk_concentric(u); }, [](d2) { return lobe::uniform_disk_pdf<double>(); },
+    expect(check_warp([](d2 u) { return lobe::square_to_uniform_disk_concentric(u); }, [](d2) { return lobe::uniform_disk_concentric_pdf<double>(); },
                       [](d2 p) { return lobe::uniform_disk_concentric_to_square(p); }));
     expect(check_warp([](d2 u) { return lobe::square_to_uniform_hemisphere(u); },
                       [](d3) { return lobe::uniform_hemisphere_pdf<double>(); }, [](d3 w) { return lobe::uniform_hemisphere_to_square(w); }));
     expect(check_warp([](d2 u) { return lobe::square_to_cosine_hemisphere(u); }, [](d3 w) { return lobe::cosine_hemisphere_pdf(w); },
                       [](d3 w) { return lobe::cosine_hemisphere_to_square(w); }));
     expect(check_warp([](d2 u) { return lobe::square_to_cosine_hemisphere_concentric(u); },
-                      [](d3 w) { return lobe::cosine_hemisphere_pdf(w); },
+                      [](d3 w) { return lobe::cosine_hemisphere_concentric_pdf(w); },
                       [](d3 w) { return lobe::cosine_hemisphere_concentric_to_square(w); }));
 }
 

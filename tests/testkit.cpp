@@ -142,7 +142,8 @@ TEST_CASE("a report says what, where, and what it means", "[testkit]") {
         CHECK(printed.find(part) != std::string::npos);
 
     const std::string json = bad.json();
-    for (const char* part : {"\"subject\": \"white \\\"wall\\\"\"", "\"passed\": false", "\"property\": \"white furnace is 1\""})
+    for (const char* part : {"\"subject\": \"white \\\"wall\\\"\"", "\"passed\": false",
+                             "\"id\": \"white_furnace\", \"property\": \"white furnace is 1\""})
         CHECK(json.find(part) != std::string::npos);
     CHECK(std::count(json.begin(), json.end(), '{') == std::count(json.begin(), json.end(), '}'));
     CHECK(detail::json_number(std::nan("")) == "null");
@@ -266,6 +267,83 @@ TEST_CASE("a sampler or a pdf that does not fit is not passed over", "[testkit]"
     CHECK(findings(pair_weight{}) == "sample(v, u) can be called;");
 }
 
+TEST_CASE("samplers of two numbers, or of three", "[testkit]") {
+    struct base {
+        double f_cos(const glm::dvec3& v, const glm::dvec3& l) const { return v.z > 0 && l.z > 0 ? 0.5 * l.z / pi : 0; }
+        double pdf(const glm::dvec3& v, const glm::dvec3& l) const { return v.z > 0 && l.z > 0 ? l.z / pi : 0; }
+        static sampled_light<double, double> drawn(const glm::dvec3& v, double x, double y) {
+            if (!(v.z > 0)) return {{0, 0, 1}, 0, 0};
+            const double r = std::sqrt(x), z = std::sqrt(1 - x);
+            return {{r * std::cos(2 * pi * y), r * std::sin(2 * pi * y), z}, 0.5, z / pi};
+        }
+    };
+    struct two : base {
+        auto sample(const glm::dvec3& v, const glm::dvec2& u) const { return drawn(v, u.x, u.y); }
+    };
+    struct three : base {  // the half of the azimuth by the third
+        auto sample(const glm::dvec3& v, const glm::dvec3& u) const {
+            return drawn(v, u.x, u.z < 0.3127 ? 0.3127 * u.y : 0.3127 + 0.6873 * u.y);
+        }
+    };
+    struct both : base {  // the two are asked for, so the three may be wrong
+        auto sample(const glm::dvec3& v, const glm::dvec2& u) const { return drawn(v, u.x, u.y); }
+        auto sample(const glm::dvec3& v, const glm::dvec3& u) const { return drawn(v, u.z * u.x, u.y); }
+    };
+    struct wrong : base {
+        auto sample(const glm::dvec3& v, const glm::dvec3& u) const { return drawn(v, u.x * u.z, u.y); }
+    };
+    CHECK(detail::interface_of(two{}).numbers == 2);
+    CHECK(detail::interface_of(three{}).numbers == 3);
+    CHECK(detail::interface_of(both{}).numbers == 2);
+    for (const report& r : {verify(two{}), verify(three{}), verify(both{})}) {
+        INFO(r);
+        CHECK(r.passed());
+        CHECK_NOTHROW(the_check(r, "samples follow the pdf (chi-squared)"));
+    }
+    const report r = verify(wrong{});
+    CHECK(!the_check(r, "means of samples = means of the pdf").passed);
+    CHECK(the_check(r, "means of samples = means of the pdf").id == id::pdf_of_samples.means);
+
+    // What was drawn from is printed, three numbers of three.
+    struct long_ones : base {
+        auto sample(const glm::dvec3& v, const glm::dvec3& u) const {
+            auto s = drawn(v, u.x, u.y);
+            if (u.z > 0.9) s.l *= 1.01;
+            return s;
+        }
+    };
+    CHECK(the_check(verify(long_ones{}), "sampled directions are unit").input.find("glm::dvec3 u{") != std::string::npos);
+    const auto f = [](const glm::dvec3& v, const glm::dvec3& l) { return base{}.f_cos(v, l); };
+    CHECK(verify(functions(f, [](const glm::dvec3& v, const glm::dvec3& u) { return three{}.sample(v, u); })).passed());
+}
+
+TEST_CASE("means over the numbers of a sampler, cut where it jumps", "[testkit]") {
+    // 1 where the number is below p, else 3, times a smooth function of the others: int (1 + x) = 3/2.
+    for (const double p : {0.0131, 0.1729, 0.5, 0.7137, 0.9973})
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto first = [&](const glm::dvec3& u) { return u[axis] < p; };
+            const detail::expectation<double> over_u(
+                [&](const glm::dvec3& u) {
+                    return std::optional(detail::direction<double>(first(u) ? 0.5 : 0.25, 2 * pi * u[axis == 0 ? 1 : 0]));
+                },
+                3);
+            const auto mean = over_u.of<1>(
+                [&](const glm::dvec3& u) { return std::array{(first(u) ? 1.0 : 3.0) * (1 + u[axis == 0 ? 1 : 0])}; },
+                detail::budget_of(effort::quick), 1, 1);
+            INFO("axis " << axis << ", p " << p);
+            CHECK(mean.value[0] == Catch::Approx((p + 3 * (1 - p)) * 1.5).epsilon(1e-6));
+            CHECK(mean.error[0] < 1e-4);
+        }
+    // A third number that changes everything: within its error. The plane z = x cuts fewer than 2 of 12 cubes, the spread there is at most
+    // 1/2: 6 sqrt(2/12/4/(32 12^3)) = 5.2e-3.
+    const auto moved = [](const glm::dvec3& u) { return std::optional(lobe::normalize(u + glm::dvec3(0, 0, 1))); };
+    const detail::expectation<double> over_u(moved, 3);
+    const auto value = [](const glm::dvec3& u) { return std::array{u.x * u.y * u.z + (u.z < u.x ? 1 : 0)}; };
+    const auto mean = over_u.of<1>(value, detail::budget_of(effort::quick), 1, 1);
+    CHECK(std::abs(mean.value[0] - 0.625) < mean.error[0]);
+    CHECK(mean.error[0] < 5.2e-3);
+}
+
 TEST_CASE("a tolerance that makes no sense is refused", "[testkit]") {
     for (const double senseless : {std::nan(""), -1e-3, 0.0, double(INFINITY)}) {
         options o;
@@ -307,21 +385,31 @@ TEST_CASE("a function with a random generator inside is found", "[testkit]") {
     CHECK(!the_check(verify(noisy), "the same input, the same value").passed);
 }
 
-TEST_CASE("the kit includes no model", "[testkit]") {
+TEST_CASE("the kit includes no model, and its rooms only what is below them", "[testkit]") {
     namespace fs = std::filesystem;
-    const fs::path include = fs::path(LOBE_REFERENCE_DIR) / "../../include/lobe";
+    const fs::path kit = fs::path(LOBE_REFERENCE_DIR) / "../../include/lobe/testkit";
+    const std::vector<std::string> rooms{"measure", "subject", "verdict", "properties"};
     int files = 0;
-    for (const auto& entry : fs::directory_iterator(include / "testkit")) {
+    for (const auto& entry : fs::recursive_directory_iterator(kit)) {
+        if (!entry.is_regular_file()) continue;
         ++files;
+        const std::string room = fs::relative(entry.path(), kit).parent_path().string();
+        const auto floor = std::find(rooms.begin(), rooms.end(), room);
         std::ifstream file(entry.path());
-        for (std::string line; std::getline(file, line);) {
+        int lines = 0;
+        for (std::string line; std::getline(file, line); ++lines) {
             if (line.rfind("#include <lobe/", 0) != 0) continue;
             INFO(entry.path() << ": " << line);
-            CHECK((line.find("lobe/core/") != std::string::npos || line.find("lobe/sampling/") != std::string::npos ||
-                   line.find("lobe/testkit/") != std::string::npos));
+            const bool of_kit = line.find("lobe/testkit/") != std::string::npos;
+            CHECK((of_kit || line.find("lobe/core/") != std::string::npos));
+            for (auto above = floor; above != rooms.end(); ++above)
+                if (above != floor) CHECK(line.find("lobe/testkit/" + *above + "/") == std::string::npos);
+            if (!room.empty()) CHECK(line.find("lobe/testkit/verify") == std::string::npos);
         }
+        INFO(entry.path());
+        CHECK(lines <= 250);
     }
-    CHECK(files > 5);
+    CHECK(files > 30);
 }
 
 TEST_CASE("Fresnel reflectances: right ones pass, each misprint has its finding", "[testkit]") {

@@ -64,6 +64,12 @@ options lossless_not_reciprocal() {
     o.reciprocal = false;
     return o;
 }
+options not_reciprocal(std::uint64_t seed = 1) {
+    options o;
+    o.reciprocal = false;
+    o.seed = seed;
+    return o;
+}
 options isotropic() {
     options o;
     o.isotropic = true;
@@ -136,6 +142,69 @@ material<T> phong(T n, bool retro = false) {
     };
     return out;
 }
+
+/// Fresnel's reflectance of glass.
+double glass(double c) {
+    const double g = std::sqrt(1.25 + c * c), A = (g - c) / (g + c), B = (c * (g + c) - 1) / (c * (g - c) + 1);
+    return A * A * (1 + B * B) / 2;
+}
+/// Lambert below GGX: the Fresnel term of the view is the share of the gloss. `number` selects the lobe: that of the radius (0), that of
+/// the azimuth (1), each stretched again; or a third one.
+template <class Numbers>
+struct selecting {
+    struct parts {
+        material<double> gloss, base;
+        double share(const V& v) const { return glass(v.z); }
+    };
+    parts of;
+    int number;
+    double f_cos(const V& v, const V& l) const {
+        return above(v, l) ? of.gloss.f_cos(v, l) + (1 - of.share(v)) * of.base.f_cos(v, l) : 0;
+    }
+    double pdf(const V& v, const V& l) const {
+        return above(v, l) ? of.share(v) * of.gloss.pdf(v, l) + (1 - of.share(v)) * of.base.pdf(v, l) : 0;
+    }
+    drawn sample(const V& v, const Numbers& u) const {
+        if (!(v.z > 0)) return {};
+        const double p = of.share(v), selector = u[number];
+        const bool first = selector < p;
+        U two(u.x, u.y);
+        if (number < 2) two[number] = std::min(first ? selector / p : (selector - p) / (1 - p), 1 - 1e-16);
+        drawn s = (first ? of.gloss : of.base).sample(v, two);
+        if (!(s.pdf > 0)) return {};
+        s.pdf = pdf(v, s.l);
+        s.weight = f_cos(v, s.l) / s.pdf;
+        return s;
+    }
+};
+template <class Numbers>
+selecting<Numbers> selected_by(int number, double a) {
+    facets gloss = ggx(a, draws::all);
+    gloss.F = glass;
+    gloss.G = [a](const V& v, const V& l, const V&) { return ggx_G1(v, a, a) * ggx_G1(l, a, a); };
+    return {{gloss, lambert(1.0)}, number};
+}
+/// As the dielectrics of path tracers: the third number selects by the Fresnel term at the normal that the others draw.
+struct selecting_at_m {
+    material<double> gloss = ggx(0.3);
+    static double F(double c) { return 0.04 + 0.96 * std::pow(1 - c, 5); }
+    static V normal(const V& v, const U& u) { return ggx_sample_visible(v, u, 0.3, 0.3); }
+    double f_cos(const V& v, const V& l) const {
+        return above(v, l) ? F(glm::length(v + l) / 2) * gloss.f_cos(v, l) + 0.4 * l.z / pi<double> : 0;
+    }
+    double pdf(const V& v, const V& l) const {
+        if (!above(v, l)) return 0;
+        const double turn = std::atan2(l.y, l.x) / (2 * pi<double>);
+        const V m = normal(v, {l.x * l.x + l.y * l.y, turn - std::floor(turn)});  // that cosine_hemisphere(u) = l was drawn with
+        return F(glm::length(v + l) / 2) * gloss.pdf(v, l) + (1 - F(clamped_dot(v, m))) * l.z / pi<double>;
+    }
+    drawn sample(const V& v, const V& u) const {
+        if (!(v.z > 0)) return {};
+        const V m = normal(v, {u.x, u.y}), l = u.z < F(clamped_dot(v, m)) ? 2 * glm::dot(v, m) * m - v : cosine_hemisphere(U(u.x, u.y));
+        if (!(l.z > 0)) return {};
+        return {l, f_cos(v, l) / pdf(v, l), pdf(v, l)};
+    }
+};
 
 /// Half vectors about a tilted axis, 1/4 D(m) with int D dm = 1: at most 1 of the light returns.
 material<double> tilted(double a, double tilt, double azimuth, double albedo) {
@@ -597,6 +666,29 @@ void wrong_samplers(trials& t) {
     };
     t.add("mixture, drawn with 0.34, said to be 0.3", m, "means of sample");
 
+    const auto third = [](const auto& change) {
+        return lobe::testkit::functions(
+            [b = selected_by<V>(2, 0.3)](const V& v, const V& l) { return b.f_cos(v, l); },
+            [b = selected_by<V>(2, 0.3), change](const V& v, const V& u) { return change(b, v, u); },
+            [b = selected_by<V>(2, 0.3)](const V& v, const V& l) { return b.pdf(v, l); });
+    };
+    t.add("third number, a share 5 % off", not_reciprocal(), third([](const auto& b, const V& v, const V& u) {
+              return b.sample(v, V(u.x, u.y, 0.95 * u.z));
+          }),
+          "means of sample");
+    t.add("third number, pdf 0.5 % up, weight 0.5 % down", not_reciprocal(), third([](const auto& b, const V& v, const V& u) {
+              drawn s = b.sample(v, u);
+              return s.pdf *= 1.005, s.weight /= 1.005, s;
+          }),
+          "pdf(v, sample.l)");
+    t.add("third number used for u.x", not_reciprocal(),
+          third([](const auto& b, const V& v, const V& u) { return b.sample(v, V(u.z, u.y, u.z)); }), "chi-squared");
+    t.add("third number at m, samples of a wider lobe", not_reciprocal(),
+          lobe::testkit::functions([b = selecting_at_m{}](const V& v, const V& l) { return b.f_cos(v, l); },
+                                   [b = selecting_at_m{}](const V& v, const V& u) { return b.sample(v, V(0.95 * u.x, u.y, u.z)); },
+                                   [b = selecting_at_m{}](const V& v, const V& l) { return b.pdf(v, l); }),
+          "means of sample");
+
     t.add("a tenth thrown away, not counted",
           resampled(glossy,
                     [](const V&, const U& u, drawn& s) {
@@ -874,6 +966,13 @@ std::vector<trial> right_ones() {
     t.add("dim: 1e-5 of a GGX, float", tinted<float>(ggx(0.3f), vec3<float>(1e-5f)));
     t.add("f_cos alone", without_sample(material<double>(ggx(0.2))));
     t.add("f_cos and sample", without_pdf(material<double>(ggx(0.2))));
+    for (const std::uint64_t seed : {1u, 4u, 6u})
+        for (const double a : {0.25, 0.49}) {
+            t.add("selected by u.x", not_reciprocal(seed), selected_by<U>(0, a));
+            t.add("selected by u.y", not_reciprocal(seed), selected_by<U>(1, a));
+        }
+    for (const double a : {0.05, 0.5}) t.add("selected by a third number", not_reciprocal(), selected_by<V>(2, a));
+    t.add("selected by a third number, at m", not_reciprocal(), selecting_at_m{});
     t.add("a lambda", [](const V& v, const V& l) { return above(v, l) ? l.z * 0.3 : 0.0; });
     t.add("a lambda of spectra", [](const V& v, const V& l) {
         const double c = above(v, l) ? l.z : 0;

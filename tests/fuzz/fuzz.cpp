@@ -119,7 +119,7 @@ void microfacet(input& in, const char* name, const N& ndf, const Sampler& sample
 template <class N>
 void ggx(input& in, const N& ndf) {
     switch (in.below(4)) {
-    case 0: return microfacet(in, "ggx, visible_caps", ndf, lobe::visible_caps{}, {});
+    case 0: return microfacet(in, "ggx, visible_normals", ndf, lobe::visible_normals{}, {});
     case 1: return microfacet(in, "ggx, visible_heitz2018", ndf, lobe::visible_heitz2018{}, {});
     case 2: return microfacet(in, "ggx, visible_bounded_caps", ndf, lobe::visible_bounded_caps{}, {});
     default: return microfacet(in, "ggx, all_normals", ndf, lobe::all_normals{}, {});
@@ -136,7 +136,7 @@ void microfacets(input& in) {
     case 4:
     case 5: return ggx(in, lobe::ggx{anisotropic<T>(in, 1e-6, 4)});
     case 6: return microfacet(in, "beckmann, all_normals", lobe::beckmann{isotropic<T>(in, 1e-4, 4)}, lobe::all_normals{}, {.exponential = true});
-    case 7: return microfacet(in, "beckmann, visible_caps", lobe::beckmann{anisotropic<T>(in, 1e-4, 4)}, lobe::visible_caps{}, {.exponential = true, .cases = 64});
+    case 7: return microfacet(in, "beckmann, visible_normals", lobe::beckmann{anisotropic<T>(in, 1e-4, 4)}, lobe::visible_normals{}, {.exponential = true, .cases = 64});
     case 8: return microfacet(in, "beckmann_walter", lobe::beckmann_walter{anisotropic<T>(in, 1e-4, 4)}, lobe::all_normals{},
                               {.exponential = true, .fitted_area = true});
     case 9: {
@@ -145,7 +145,7 @@ void microfacets(input& in) {
     }
     case 10: {
         const auto a = isotropic<T>(in, 1e-4, 4);
-        return microfacet(in, "student_t, visible_caps", lobe::student_t{a, in.keep("gamma", between<T>(in, 1.51, 40))}, lobe::visible_caps{}, {.exponential = true, .cases = 4});
+        return microfacet(in, "student_t, visible_normals", lobe::student_t{a, in.keep("gamma", between<T>(in, 1.51, 40))}, lobe::visible_normals{}, {.exponential = true, .cases = 4});
     }
     case 11: {
         const auto a = isotropic<T>(in, 1e-4, 4);
@@ -154,7 +154,7 @@ void microfacets(input& in) {
     case 12: return microfacet(in, "blinn_phong", lobe::blinn_phong{isotropic<T>(in, 0.01, 1)}, lobe::all_normals{}, {.exponential = true, .cases = 64});
     case 13: {
         const auto a = isotropic<T>(in, 1e-4, 1), b = isotropic<T>(in, 1e-4, 1);
-        return microfacet(in, "mixture of ggx", lobe::mixture{lobe::ggx{a}, lobe::ggx{b}, in.keep("weight", share<T>(in))}, lobe::visible_caps{}, {});
+        return microfacet(in, "mixture of ggx", lobe::mixture{lobe::ggx{a}, lobe::ggx{b}, in.keep("weight", share<T>(in))}, lobe::visible_normals{}, {});
     }
     case 14: {
         const auto a = anisotropic<T>(in, 1e-4, 1), b = anisotropic<T>(in, 1e-4, 1);

@@ -5,12 +5,10 @@
 
 namespace lobe {
 
-/// A Fresnel reflectance: a callable of the cosine v.h, with its cosine-weighted average over the hemisphere.
+/// A Fresnel reflectance: a callable of the cosine v.h; a lambda will do. (Multiple scattering asks for `average()` too, the mean over the
+/// hemisphere weighted with the cosine: all of lobe's have it.)
 template <class F, class T>
-concept fresnel = requires(const F reflectance, const T u) {
-    reflectance(u);
-    reflectance.average();
-};
+concept fresnel = requires(const F reflectance, const T u) { reflectance(u); };
 
 /// `evaluate(v, l)`: f(v,l) cos(theta_l), and the density with which `sample(v, u)` draws l, in 1/sr.
 template <class S, scalar T>
@@ -58,19 +56,18 @@ concept samplable_brdf = brdf<B> && requires(const B b, const vec3<typename B::s
     { b.evaluate(w, w) } -> std::same_as<evaluation<typename B::spectrum, typename B::scalar>>;
 };
 
-/// GLM converts float and double vectors into each other without a word. A BRDF that derives from this, and `using`s its
-/// names, does not: vectors of any other type than its own find a deleted function.
+/// GLM converts float and double vectors into each other without a word. A BRDF `Self` that derives from this, and `using`s its names, does
+/// not: vectors of any other type than its own find a deleted function. (Compilers print the line, and with it what to do. `Self` keeps the
+/// bases of nested BRDFs apart: two of one type would not share an address.)
+template <class Self>
 struct exact_vectors {
-    template <class V, class L>
-    void f(const V&, const L&) const = delete;
-    template <class V, class L>
-    void f_cos(const V&, const L&) const = delete;
-    template <class V, class L>
-    void pdf(const V&, const L&) const = delete;
-    template <class V, class L>
-    void evaluate(const V&, const L&) const = delete;
-    template <class V, class U>
-    void sample(const V&, const U&) const = delete;
+    // clang-format off
+    template <class V, class L> void f(const V&, const L&) const = delete;         // convert v and l: vec3<T>(v), T the BRDF's scalar
+    template <class V, class L> void f_cos(const V&, const L&) const = delete;     // convert v and l: vec3<T>(v), T the BRDF's scalar
+    template <class V, class L> void pdf(const V&, const L&) const = delete;       // convert v and l: vec3<T>(v), T the BRDF's scalar
+    template <class V, class L> void evaluate(const V&, const L&) const = delete;  // convert v and l: vec3<T>(v), T the BRDF's scalar
+    template <class V, class U> void sample(const V&, const U&) const = delete;    // convert v and u: vec3<T>(v), T the BRDF's scalar
+    // clang-format on
 };
 
 }  // namespace lobe

@@ -14,13 +14,14 @@ namespace lobe {
 ///   S pi_f(v, l, lit, factor) = select(lit, pi f(v,l) factor, 0).
 /// v, l unit, in tangent space; all is zero unless both are above the horizon. f, pdf in 1/sr.
 template <class Model, class S, class Sampler>
-class diffuse_brdf : exact_vectors {
+class diffuse_brdf : exact_vectors<Model> {
     using T = detail::component_t<S>;
+    using exact = exact_vectors<Model>;
 
 public:
     using scalar = T;
     using spectrum = S;
-    using exact_vectors::f, exact_vectors::f_cos, exact_vectors::pdf, exact_vectors::evaluate, exact_vectors::sample;
+    using exact::f, exact::f_cos, exact::pdf, exact::evaluate, exact::sample;
     static constexpr bool isotropic = true;
 
     constexpr S f(const vec3<T>& v, const vec3<T>& l) const { return model().pi_f(v, l, above_horizon(v, l), inv_pi<T>()); }

@@ -36,7 +36,7 @@ constexpr T cap_cut(const vec2<T>& width, const vec3<T>& v) {
 }  // namespace detail
 
 /// Visible normals by the projected hemisphere: a point of the disk that faces the view, half of which is squashed, lifted to
-/// the hemisphere. Heitz 2018, "Sampling the GGX Distribution of Visible Normals", appendix A. The density of `visible_caps`,
+/// the hemisphere. Heitz 2018, "Sampling the GGX Distribution of Visible Normals", appendix A. The density of `visible_normals`,
 /// pdf = D/(4 sv), from another map of the square: u.x is the squared radius on the disk.
 /// Domain: v unit, above the horizon; u in [0,1)^2. GGX only. Error of m in float: 4e-7 radian. No term cancels:
 /// with t1 and q^2 = 1 - t1^2, t2 in [-q, q] on the disk, all is written in q + t2 and q - t2, whose product is
@@ -76,7 +76,7 @@ struct visible_heitz2018 {
 /// Eto & Tokuyoshi 2023, "Bounded VNDF Sampling for Smith-GGX Reflections". The cap ends at the height -k V.z instead of -V.z,
 /// V the view of the surface of width 1, and what is left shares the probability:
 ///   area = (k v.z + S)/2 = sv - (1 - k) v.z/2,  pdf = D/(2 (k v.z + S)),  S = sqrt(ax^2 v.x^2 + ay^2 v.y^2 + v.z^2)
-/// For reflection only: m is not distributed as visible normals are. Weight = F G2/G1 area/sv: never above that of `visible_caps`.
+/// For reflection only: m is not distributed as visible normals are. Weight = F G2/G1 area/sv: never above that of `visible_normals`.
 /// Domain: v unit, above the horizon; u in [0,1)^2; every alpha > 0. GGX only. At alpha = 1 no sample fails. Error of m: as
 /// `stretched::sample_visible` says.
 struct visible_bounded_caps {

@@ -7,10 +7,7 @@
 
 namespace lobe {
 
-/// A coupling: `c(v, l)`, the share of its light that a base keeps under the lobe above it, one number or a spectrum. It is asked
-/// below the horizon too, where the base is 0 and any finite answer will do.
-template <class C, class T>
-concept coupling = requires(const C c, const vec3<T> w) { c(w, w); };
+// A coupling is the factor of a base under a specular lobe: the share of its light that it keeps.
 
 namespace detail {
 
@@ -37,7 +34,7 @@ constexpr T cosine_in_unit_interval(const T& c) {
 }  // namespace detail
 
 /// 1 - F(v.h): what a facet that mirrors v to l lets through. glTF 2.0, appendix B.3; F is that of the specular lobe.
-/// Reciprocal, needs no table, and makes light, because at grazing the lobe reflects far more than F(v.h) of the diffuse light: over
+/// Reciprocal, needs no table, and gains energy, because at grazing the lobe reflects far more than F(v.h) of the diffuse light: over
 /// a white base, F0 = 0.04, the total albedo is 1.26 at mu = alpha = 0.1, 1.49 at mu = 0.01, alpha = 0.05, and tends to 1.9 as both vanish.
 template <class F>
 class fresnel_coupling {
@@ -117,75 +114,23 @@ private:
     T w;
 };
 
-/// 1 - weight F(n.v): what that coat leaves to all below it. Not reciprocal.
-template <class F, scalar T>
-class coat_coupling {
+/// 1 - share(v, l): what a factor leaves to the rest.
+template <class Factor>
+class complement {
 public:
-    constexpr coat_coupling(const F& reflectance, const T& weight) : coat(reflectance, weight) {}
+    constexpr explicit complement(const Factor& of) : share(of) {}
 
-    [[gnu::always_inline]] constexpr auto operator()(const vec3<T>& v, const vec3<T>& l) const { return detail::rest(coat(v, l)); }
-
-private:
-    coat_share<F, T> coat;
-};
-
-/// f = base f * coupling(v, l). Sampled as the base is.
-template <brdf Base, class Coupling>
-class coupled : exact_vectors {
-    using T = typename Base::scalar;
-    using S = typename Base::spectrum;
-    static_assert(coupling<Coupling, T>, "a coupling is a callable of v and l");
-
-public:
-    using scalar = T;
-    using spectrum = S;
-    using exact_vectors::f, exact_vectors::f_cos, exact_vectors::pdf, exact_vectors::evaluate, exact_vectors::sample;
-    static constexpr bool isotropic = Base::isotropic;
-
-    constexpr coupled(const Base& below, const Coupling& share) : left(share), base(below) {}
-
-    // (Inlined by force, as are the couplings: see `sum`.)
-    [[gnu::always_inline]] constexpr S f(const vec3<T>& v, const vec3<T>& l) const { return base.f(v, l) * left(v, l); }
-    [[gnu::always_inline]] constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const { return base.f_cos(v, l) * left(v, l); }
-
-    [[gnu::always_inline]] constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const
-        requires samplable_brdf<Base>
-    {
-        return base.pdf(v, l);
+    template <scalar T>
+    [[gnu::always_inline]] constexpr auto operator()(const vec3<T>& v, const vec3<T>& l) const {
+        return detail::rest(share(v, l));
     }
-    [[gnu::always_inline]] constexpr evaluation<S, T> evaluate(const vec3<T>& v, const vec3<T>& l) const
-        requires samplable_brdf<Base>
-    {
-        const auto e = base.evaluate(v, l);
-        return {e.f_cos * left(v, l), e.pdf};
-    }
-    [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const
-        requires samplable_brdf<Base>
-    {
-        const auto s = base.sample(v, u);
-        return {s.l, s.weight * left(select(s.pdf > T(0), v, s.l), s.l), s.pdf};  // failed: a view that may be a NaN, weight 0
-    }
-
-    /// The base's, times what is left of light along the normal: for 1 - F(v.h) nearer to the truth than 1 - F(n.v).
-    [[gnu::always_inline]] constexpr S albedo_estimate(const vec3<T>& v) const {
-        return detail::albedo_estimate(base, v) * left(v, vec3<T>{T(0), T(0), T(1)});
-    }
-    constexpr vec2<T> width() const { return base.width(); }
     template <class G>
     constexpr void for_each_crease(const G& g) const {
-        detail::for_each_crease(base, g);
-        detail::for_each_crease(left, g);
-    }
-
-    template <class G>
-        requires requires(const Base& parts, const G& g) { parts.for_each_lobe(g); }
-    constexpr void for_each_lobe(const G& g) const {
-        base.for_each_lobe([&](const auto& lobe) { g(coupled<std::decay_t<decltype(lobe)>, Coupling>{lobe, left}); });
+        detail::for_each_crease(share, g);
     }
 
 private:
-    [[no_unique_address]] Coupling left;  // first: two BRDFs, this and its base, at one address would cost a word of padding
-    Base base;
+    [[no_unique_address]] Factor share;
 };
 
 /// f = specular f + coupling(v, l) base f. v, l unit, in tangent space; f in 1/sr; zero below the horizon. The two lobes of a `sum`, which
@@ -210,8 +155,8 @@ constexpr auto coated(const Base& base, const N& coat, const typename Base::scal
     using T = typename Base::scalar;
     using S = typename Base::spectrum;
     const schlick F{S(T(4) / T(100))};
-    return layered{coupled{microfacet{coat, smith_correlated{}, perfect_reflector<S>{}}, coat_share{F, weight}}, base,
-                   coat_coupling{F, weight}};
+    const coat_share share{F, weight};
+    return layered{coupled{microfacet{coat, smith_correlated{}, perfect_reflector<S>{}}, share}, base, complement{share}};
 }
 
 }  // namespace lobe

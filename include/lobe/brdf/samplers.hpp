@@ -18,7 +18,7 @@ concept normal_sampler = distribution<N> && requires(const S sampler, const N nd
 
 /// Visible normals by the distribution's own map, for GGX spherical caps (Dupuy & Benyoub 2023): pdf = D/(4 sv),
 /// weight = F G2/G1, never above F with a Smith masking.
-struct visible_caps {
+struct visible_normals {
     template <visibly_samplable_distribution N, class T = typename N::scalar>
     [[gnu::always_inline]] constexpr vec3<T> sample(const N& ndf, const vec3<T>& v, const vec2<T>& u) const {
         return ndf.sample_visible(v, u);
@@ -38,7 +38,7 @@ struct all_normals {
     template <distribution N, class T = typename N::scalar>
     constexpr T area(const N&, const vec3<T>&, const T& v_m, const T& m_z, const T&) const {
         const auto above = v_m * m_z > T(0);  // (v.z + l.z)/2
-        return select(above, v_m, T(1)) / select(above, m_z, T(1));
+        return select(above, quotient(above, v_m, m_z), T(1));
     }
 };
 

@@ -19,10 +19,8 @@ public:
         assert(all(a > T(0)) && all(detail::finite(a)) && "alpha must be above 0 and finite");
     }
 
-    /// alpha = r^2 (Burley 2012, "Physically-Based Shading at Disney", section 5.4).
-    static constexpr alpha from_roughness(const T& r) { return alpha(r * r); }
-    /// The same, at least `floor`, for roughness from a texture: textures contain 0.
-    static constexpr alpha from_roughness(const T& r, const T& floor) { return at_least(r * r, floor); }
+    /// alpha = r^2 (Burley 2012, "Physically-Based Shading at Disney", section 5.4), at least `floor`: textures contain 0.
+    static constexpr alpha from_roughness(const T& r, const T& floor = T(0)) { return at_least(r * r, floor); }
     static constexpr alpha at_least(const T& value, const T& floor) { return alpha(larger(value, floor)); }
 
     constexpr T value() const { return a; }
@@ -50,7 +48,7 @@ private:
 
 /// The widths of an anisotropic distribution along the tangent and the bitangent.
 /// Precondition: both > 0, finite. The makers below take the artists' roughness r in [0,1] and a degree of anisotropy, 0 for none; r = 0
-/// and the far end of two of the degrees mean a width of 0, so each comes with a floor as well, for parameters from textures.
+/// and the far end of two of the degrees mean a width of 0: a floor takes both from textures.
 template <scalar T>
 class alpha_xy {
 public:
@@ -68,18 +66,28 @@ public:
 
     /// x = r^2/aspect, y = r^2 aspect, aspect = sqrt(1 - 0.9 a), a in [0,1]: x y = r^4, x/y at most 10.
     /// Burley 2012, "Physically-Based Shading at Disney", section 5.4. Error: 6 ULP.
-    static constexpr alpha_xy from_disney(const T& r, const T& a) { return alpha_xy(disney(r, a)); }
-    static constexpr alpha_xy from_disney(const T& r, const T& a, const T& floor) { return at_least(disney(r, a), floor); }
+    static constexpr alpha_xy from_disney(const T& r, const T& a, const T& floor = T(0)) {
+        using std::sqrt;
+        assert(all(a >= T(0)) && all(a <= T(1)) && "from_disney: the anisotropy must be in [0,1]");
+        const T aspect = sqrt(T(1) - T(9) / T(10) * a);
+        return at_least(r * r / aspect, r * r * aspect, floor);
+    }
 
     /// x = r^2 (1 + k), y = r^2 (1 - k), k in [-1,1]: x + y = 2 r^2; needs a floor at k = +-1, which have a width of 0.
     /// Kulla & Conty 2017, "Revisiting Physically Based Shading at Imageworks". Error: 2 ULP.
-    static constexpr alpha_xy from_imageworks(const T& r, const T& k) { return alpha_xy(imageworks(r, k)); }
-    static constexpr alpha_xy from_imageworks(const T& r, const T& k, const T& floor) { return at_least(imageworks(r, k), floor); }
+    static constexpr alpha_xy from_imageworks(const T& r, const T& k, const T& floor = T(0)) {
+        assert(all(k >= T(-1)) && all(k <= T(1)) && "from_imageworks: the anisotropy must be in [-1,1]");
+        return at_least(r * r * (T(1) + k), r * r * (T(1) - k), floor);
+    }
 
     /// x = r^2 sqrt(2/(1 + (1-a)^2)), y = (1-a) x, a in [0,1]: x^2 + y^2 = 2 r^4; needs a floor at a = 1, which has a width of 0.
     /// OpenPBR 1.1 (2024), "Microfacet model". Error: 4 ULP.
-    static constexpr alpha_xy from_openpbr(const T& r, const T& a) { return alpha_xy(openpbr(r, a)); }
-    static constexpr alpha_xy from_openpbr(const T& r, const T& a, const T& floor) { return at_least(openpbr(r, a), floor); }
+    static constexpr alpha_xy from_openpbr(const T& r, const T& a, const T& floor = T(0)) {
+        using std::sqrt;
+        assert(all(a >= T(0)) && all(a <= T(1)) && "from_openpbr: the anisotropy must be in [0,1]");
+        const T narrow = T(1) - a, x = r * r * sqrt(T(2) / (T(1) + narrow * narrow));
+        return at_least(x, narrow * x, floor);
+    }
 
     constexpr T x() const { return ax; }
     constexpr T y() const { return ay; }
@@ -95,26 +103,6 @@ public:
     }
 
 private:
-    constexpr explicit alpha_xy(const vec2<T>& widths) : alpha_xy(widths.x, widths.y) {}
-    static constexpr alpha_xy at_least(const vec2<T>& widths, const T& floor) { return at_least(widths.x, widths.y, floor); }
-
-    static constexpr vec2<T> disney(const T& r, const T& a) {
-        using std::sqrt;
-        assert(all(a >= T(0)) && all(a <= T(1)) && "from_disney: the anisotropy must be in [0,1]");
-        const T aspect = sqrt(T(1) - T(9) / T(10) * a);
-        return {r * r / aspect, r * r * aspect};
-    }
-    static constexpr vec2<T> imageworks(const T& r, const T& k) {
-        assert(all(k >= T(-1)) && all(k <= T(1)) && "from_imageworks: the anisotropy must be in [-1,1]");
-        return {r * r * (T(1) + k), r * r * (T(1) - k)};
-    }
-    static constexpr vec2<T> openpbr(const T& r, const T& a) {
-        using std::sqrt;
-        assert(all(a >= T(0)) && all(a <= T(1)) && "from_openpbr: the anisotropy must be in [0,1]");
-        const T narrow = T(1) - a, x = r * r * sqrt(T(2) / (T(1) + narrow * narrow));
-        return {x, narrow * x};
-    }
-
     T ax, ay;
 };
 

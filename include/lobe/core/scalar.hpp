@@ -31,8 +31,8 @@ constexpr T select(bool mask, const T& a, const T& b) {
     return mask ? a : b;
 }
 
-/// a/b where the mask holds, and 0 where it does not: for a b that may be 0 there. Neither 0/0 nor 1/0 is computed. (Compilers turn two
-/// selects side by side into one, and the guard of b costs nothing in a loop.)
+/// a/b where the mask holds, and 0 where it does not: for a b that may be 0 there. Neither 0/0 nor 1/0 is computed, so debug builds that trap
+/// NaNs run through (Clang's need -ffp-exception-behavior=maytrap). Of two selects on one mask compilers make one: in a loop it costs nothing.
 template <class Mask, scalar T>
 [[gnu::always_inline]] constexpr T quotient(const Mask& mask, const T& a, const T& b) {
     return select(mask, a / select(mask, b, T(1)), T(0));
@@ -110,6 +110,19 @@ constexpr T smallest() {
 /// The number in one lane of a pack, or in one component of a vector: float for xsimd::batch<float> and glm::vec3.
 template <class T>
 using lane_t = typename detail::lane<T>::type;
+
+namespace detail {
+
+/// The largest finite number in a lane of T. Infinity stays out of formulas: inf - inf and 0 * inf are NaN.
+template <scalar T>
+constexpr T largest() {
+    if constexpr (std::numeric_limits<lane_t<T>>::is_specialized)
+        return T((std::numeric_limits<lane_t<T>>::max)());
+    else
+        return T(1e300);
+}
+
+}  // namespace detail
 
 /// Above the horizon are cosines of more than this, 2^-60 in float and 2^-500 in double. Below it squares underflow: that of v + l, where l
 /// nears -v, and the product of two cosines.

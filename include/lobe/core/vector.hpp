@@ -53,7 +53,7 @@ constexpr vec3<T> half_vector(const vec3<T>& v, const vec3<T>& l) {
     return normalize(v + l);
 }
 
-/// Are both above the horizon?
+/// Are both above the horizon, where a BRDF is not 0? (-> `horizon`)
 template <scalar T>
 constexpr auto above_horizon(const vec3<T>& v, const vec3<T>& l) {
     return v.z > horizon<T>() && l.z > horizon<T>();

@@ -15,10 +15,11 @@ namespace lobe {
 // A light is called with a point and answers with what arrives there. S: one number or linear rgb.
 
 /// GLM converts float and double vectors into each other without a word. A light that derives from this, and `using`s its
-/// operator, does not.
+/// operator, does not. (`Self`: see `exact_vectors`.)
+template <class Self>
 struct exact_points {
     template <class P>
-    void operator()(const P&) const = delete;
+    void operator()(const P&) const = delete;  // convert the point: vec3<T>(p), T the light's scalar
 };
 
 /// What arrives at a point: the unit direction `l` to the light, and the illuminance of a surface that faces it, in lux.
@@ -45,9 +46,9 @@ constexpr auto reflected_radiance(const B& b, const frame<T>& at, const vec3<T>&
 /// So far away that it shines on all points alike. `to_light`: unit, from the surface to the light (glTF's node shines along -z, so
 /// this is its +z).
 template <class S, scalar T>
-class directional_light : exact_points {
+class directional_light : exact_points<directional_light<S, T>> {
 public:
-    using exact_points::operator();
+    using exact_points<directional_light>::operator();
     constexpr directional_light(const vec3<T>& to_light, const S& illuminance) : l(to_light), E(illuminance) {}
 
     constexpr incident_light<S, T> operator()(const vec3<T>&) const { return {l, E}; }
@@ -87,9 +88,9 @@ private:
 /// The same intensity in all directions: E = I falloff(d^2). A source of the luminous power P (lumen) has I = P/(4 pi).
 /// Domain: every point but the light's own position.
 template <class S, scalar T, class Falloff = inverse_square>
-class point_light : exact_points {
+class point_light : exact_points<point_light<S, T, Falloff>> {
 public:
-    using exact_points::operator();
+    using exact_points<point_light>::operator();
     constexpr point_light(const vec3<T>& position, const S& intensity, const Falloff& falloff = {})
         : p(position), I_v(intensity), attenuation(falloff) {}
 
@@ -142,9 +143,9 @@ private:
 
 /// A point light within a cone around `axis`, a unit vector that points where the light goes (glTF: the node's -z).
 template <class S, scalar T, class Falloff = inverse_square>
-class spot_light : exact_points {
+class spot_light : exact_points<spot_light<S, T, Falloff>> {
 public:
-    using exact_points::operator();
+    using exact_points<spot_light>::operator();
     constexpr spot_light(const vec3<T>& position, const vec3<T>& axis, const S& intensity, const cone<T>& angles,
                          const Falloff& falloff = {})
         : a(axis), bulb(position, intensity, falloff), shade(angles) {}
@@ -155,7 +156,7 @@ public:
     }
 
 private:
-    vec3<T> a;  // first: two lights at one address would cost a word of padding
+    vec3<T> a;
     point_light<S, T, Falloff> bulb;
     cone<T> shade;
 };

@@ -22,15 +22,6 @@ using at_least_double = std::conditional_t<std::same_as<T, float>, double, T>;
 template <class T>
 inline constexpr bool beyond_double = std::numeric_limits<lane_t<T>>::is_specialized && std::numeric_limits<lane_t<T>>::digits > 64;
 
-/// The largest finite number in a lane of T. Infinity stays out of formulas: inf - inf and 0 * inf are NaN.
-template <scalar T>
-constexpr T largest() {
-    if constexpr (std::numeric_limits<lane_t<T>>::is_specialized)
-        return T((std::numeric_limits<lane_t<T>>::max)());
-    else
-        return T(1e300);
-}
-
 /// The cosine that stands for zero: its square times the square of a width (1e-4 in float) is still a number.
 template <scalar T>
 constexpr T zero_cosine() {

@@ -104,7 +104,8 @@ constexpr vec3<T> sample_visible_radial(const Shape& shape, const T& back, const
         };
         T widest(115);
         if constexpr (requires { shape.max_tan2(); }) widest = asinh(sqrt(larger(T(shape.max_tan2()) - a * a, T(0))));
-        const T steep = sigma - gentle, guess = shape.tan2(T(1) - steeper * (wanted < steep ? wanted / steep : T(1))) - a * a;
+        const T steep = sigma - gentle, most = T(1) - std::numeric_limits<T>::epsilon();
+        const T guess = shape.tan2(smaller(T(1) - steeper * (wanted < steep ? wanted / steep : T(1)), most)) - a * a;
         const T R = sinh(root_of_increasing<T>(T(0), widest, asinh(sqrt(larger(guess, T(0)))), excess));
         r = sqrt(a * a + R * R);
         phi_max = atan2(R, -cot);

@@ -68,6 +68,11 @@ constexpr vec2<T> square_to_uniform_disk_concentric(const vec2<T>& u) {
 }
 
 template <scalar T>
+constexpr T uniform_disk_concentric_pdf() {
+    return inv_pi<T>();
+}
+
+template <scalar T>
 constexpr vec2<T> uniform_disk_concentric_to_square(const vec2<T>& p) {
     using std::atan2, std::sqrt;
     const T r = sqrt(dot(p, p));
@@ -124,6 +129,11 @@ constexpr vec3<T> square_to_cosine_hemisphere_concentric(const vec2<T>& u) {
     using std::sqrt;
     const auto [p, edge] = detail::concentric(u);
     return {p.x, p.y, T(2) * sqrt(edge * (T(1) - edge))};
+}
+
+template <scalar T>
+constexpr T cosine_hemisphere_concentric_pdf(const vec3<T>& w) {
+    return cosine_hemisphere_pdf(w);
 }
 
 template <scalar T>

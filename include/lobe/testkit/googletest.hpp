@@ -1,7 +1,7 @@
 // Glue for GoogleTest: EXPECT_TRUE(passed(verify(brdf))) prints the report where it fails. (Catch2 needs none: REQUIRE(verify(brdf)).)
 #pragma once
 
-#include <lobe/testkit/report.hpp>
+#include <lobe/testkit/verdict/report.hpp>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <lobe/core/frame.hpp>
-#include <lobe/testkit/subject.hpp>
+#include <lobe/testkit/subject/spectrum.hpp>
 
 #include <array>
 #include <type_traits>

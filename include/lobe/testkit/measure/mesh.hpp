@@ -1,7 +1,7 @@
 // Integrals over a rectangle by an adaptive mesh, which finds narrow peaks by itself and whose cells then serve as bins.
 #pragma once
 
-#include <lobe/core/scalar.hpp>
+#include <lobe/core/cpp20.hpp>
 
 #include <algorithm>
 #include <array>
@@ -219,13 +219,13 @@ private:
         for (std::size_t k = 0; k < N; ++k) {
             c.integral[k] = area * (-3816.0 / 19683 * middle[k] + 980.0 / 6561 * along_inner[k] + 1020.0 / 19683 * along_outer[k] +
                                     200.0 / 19683 * diagonal_outer[k] + 6859.0 / 19683 / 4 * diagonal_corner[k]);
-            const double degree_5 =
-                area * (-971.0 / 729 * middle[k] + 245.0 / 486 * along_inner[k] + 65.0 / 1458 * along_outer[k] + 25.0 / 729 * diagonal_outer[k]);
+            const double degree_5 = area * (-971.0 / 729 * middle[k] + 245.0 / 486 * along_inner[k] + 65.0 / 1458 * along_outer[k] +
+                                            25.0 / 729 * diagonal_outer[k]);
             c.error[k] = std::abs(c.integral[k] - degree_5);
             if (k < driving && c.error[k] > size) size = c.error[k], dx = fourth_x[k], dy = fourth_y[k];
         }
         // Where the differences do not decide, the longer side of the cell in units of the first grid.
-        c.cut_x = equal(dx, dy) ? c.width * nx >= c.height * ny : dx > dy;
+        c.cut_x = dx > dy || (!(dx < dy) && c.width * nx >= c.height * ny);
     }
 
     integrand f;

@@ -35,7 +35,7 @@ public:
     std::array<double, 2> find(const vec3<double>& l) const {
         const vec3<double> s = v + l;
         const double sine = std::hypot(s.x, s.y);
-        if (equal(sine, 0.0)) return {0, 0};
+        if (!(sine > 0)) return {0, 0};
         const double phi = std::atan2(-s.y, -s.x), r = sine / s.z;
         double y = (phi - azimuth) / (2 * std::numbers::pi);
         y -= std::floor(y);

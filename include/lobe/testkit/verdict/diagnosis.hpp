@@ -1,10 +1,10 @@
 // What a wrong ratio usually means: factors that are lost or applied twice leave their mark on every value.
 #pragma once
 
-#include <lobe/testkit/report.hpp>
-
 #include <lobe/core/vector.hpp>
+#include <lobe/testkit/measure/text.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>

@@ -1,21 +1,31 @@
 // What a verdict consists of: one check a property, with the worst input and what such a failure usually means.
 #pragma once
 
-#include <lobe/core/cpp20.hpp>
+#include <lobe/testkit/measure/text.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace lobe::testkit {
 
+/// What a check is, whatever its sentence: `key` is its name in JSON and in code, `text` what a report prints.
+struct property_id {
+    std::string_view key, text;
+    bool about_samples = false;  // where the samples go explains its failure
+
+    friend constexpr bool operator==(const property_id& a, const property_id& b) { return a.key == b.key; }
+};
+
 /// A property that does not hold. `input` is C++, with all digits, ready for a unit test.
 struct finding {
-    std::string property;
+    property_id id{};
+    std::string property;  // the text of its id, as a rule
     double measured = 0, expected = 0, tolerance = 0;
     std::string input;
     std::string meaning;
@@ -26,13 +36,16 @@ struct check : finding {
     bool passed = true;
 };
 
-namespace detail {
+/// What was found of a property.
+struct outcome {
+    bool passed = true;
+    double measured = 0, expected = 0, tolerance = 0;
+    std::string input{};
+    std::string meaning{};  // of a failure
+    std::string suffix{};   // follows the property's text
+};
 
-inline std::string number(double x, int digits = 6) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.*g", digits, std::isnan(x) ? std::abs(x) : x);  // not "-nan"
-    return text;
-}
+namespace detail {
 
 inline std::string quoted(const std::string& text) {
     std::string out = "\"";
@@ -50,7 +63,7 @@ inline std::string quoted(const std::string& text) {
 }
 
 /// JSON knows no NaN and no infinity: they are null.
-inline std::string json_number(double x) { return std::isfinite(x) ? number(x, 17) : "null"; }
+inline std::string json_number(double x) { return std::isfinite(x) ? number(x, "%.17g") : "null"; }
 
 }  // namespace detail
 
@@ -60,6 +73,11 @@ public:
     explicit report(std::string subject) : name_(std::move(subject)) {}
 
     void add(check result) { checks_.push_back(std::move(result)); }
+    void add(const property_id& id, outcome o) {
+        checks_.push_back(
+            {{id, std::string(id.text) + o.suffix, o.measured, o.expected, o.tolerance, std::move(o.input), std::move(o.meaning)},
+             o.passed});
+    }
 
     const std::string& name() const { return name_; }
     const std::vector<check>& checks() const { return checks_; }
@@ -78,10 +96,11 @@ public:
         std::string out = "{\"subject\": " + detail::quoted(name_) + ", \"passed\": " + (passed() ? "true" : "false") + ", \"checks\": [";
         for (std::size_t i = 0; i < checks_.size(); ++i) {
             const check& c = checks_[i];
-            out += (i ? ",\n  " : "\n  ") + ("{\"property\": " + detail::quoted(c.property)) +
-                   ", \"passed\": " + (c.passed ? "true" : "false") + ", \"measured\": " + detail::json_number(c.measured) +
-                   ", \"expected\": " + detail::json_number(c.expected) + ", \"tolerance\": " + detail::json_number(c.tolerance) +
-                   ", \"input\": " + detail::quoted(c.input) + ", \"meaning\": " + detail::quoted(c.passed ? "" : c.meaning) + "}";
+            out += (i ? ",\n  " : "\n  ") + ("{\"id\": " + detail::quoted(std::string(c.id.key))) +
+                   ", \"property\": " + detail::quoted(c.property) + ", \"passed\": " + (c.passed ? "true" : "false") +
+                   ", \"measured\": " + detail::json_number(c.measured) + ", \"expected\": " + detail::json_number(c.expected) +
+                   ", \"tolerance\": " + detail::json_number(c.tolerance) + ", \"input\": " + detail::quoted(c.input) +
+                   ", \"meaning\": " + detail::quoted(c.passed ? "" : c.meaning) + "}";
         }
         return out + "]}\n";
     }

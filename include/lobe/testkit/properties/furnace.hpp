@@ -1,0 +1,87 @@
+// A white furnace: no more light comes back than was sent, for a fixed view and for a fixed light.
+#pragma once
+
+#include <lobe/testkit/verdict/per_view.hpp>
+#include <lobe/testkit/verdict/property.hpp>
+
+namespace lobe::testkit {
+
+namespace id {
+inline constexpr property_id furnace{"white_furnace", "white furnace is at most 1"};
+inline constexpr property_id lossless_furnace{"white_furnace", "white furnace is 1"};
+inline constexpr property_id furnace_of_light{"white_furnace_of_light", "white furnace of a light is at most 1"};
+inline constexpr property_id lossless_furnace_of_light{"white_furnace_of_light", "white furnace of a light is 1"};
+}  // namespace id
+
+namespace detail {
+
+template <class T, std::size_t N>
+class furnace : public brdf_property<T, N> {
+public:
+    using typename brdf_property<T, N>::view;
+    explicit furnace(subject<T, N>& judged)
+        : brdf_property<T, N>(judged),
+          of_view(judged.claims.lossless ? id::lossless_furnace : id::furnace,
+                  "energy is created: a missing 1/pi or 1/4, a D that is not normalised, a masking above 1, a diffuse part that does not "
+                  "give up what the specular part reflects, or a compensation with the wrong average",
+                  judged.claims.lossless ? relation::equal : relation::at_most,
+                  "energy is lost: single scattering only, a factor too many, or a compensation with the wrong average") {}
+
+    /// int f(v,l) cos(theta_l) dl.
+    void at_view(const view& from) override {
+        const auto& E = from.reflected;
+        for (std::size_t k = 0; k < N; ++k)
+            if (!is_padding<N>(k, E.value[k]))
+                of_view.add({.measured = E.value[k], .expected = 1, .allowed = from.allowed + E.error[k], .v = from.w, .input = from.text});
+    }
+    void report_to(report& r) override { of_view.report_to(r); }
+
+private:
+    per_view of_view;
+};
+
+template <class T, std::size_t N>
+class furnace_of_light : public brdf_property<T, N> {
+public:
+    using typename brdf_property<T, N>::view, typename brdf_property<T, N>::values, typename brdf_property<T, N>::V;
+    explicit furnace_of_light(subject<T, N>& judged)
+        : brdf_property<T, N>(judged),
+          of_light(judged.claims.lossless ? id::lossless_furnace_of_light : id::furnace_of_light,
+                   "light from one direction is returned more than once: the compensation looks at the viewer only",
+                   judged.claims.lossless ? relation::equal : relation::at_most,
+                   "light from one direction is lost: single scattering only, or a compensation that looks at the viewer only") {}
+
+    /// int f(v,l) cos(theta_v) dv, the view's direction taken for that of the light.
+    void at_view(const view& from) override {
+        subject<T, N>& brdf = this->b;
+        if (!brdf.claims.reciprocal) return;
+        const V& l = from.v;
+        mesh<N> over_v(
+            [&](double x, double y) {
+                const auto p = from.chart(x, y);
+                const V v(p.l);
+                values f = brdf.f_cos(v, l);
+                for (double& f_k : f) f_k *= p.area * static_cast<double>(v.z) / static_cast<double>(l.z);
+                return f;
+            },
+            8, 16, N);
+        integrate(over_v, from.chart, from.w, {}, brdf.effort, N);
+        const double allowed =
+            brdf.claims.tolerance + relative_rounding<T>(over_v, from.chart, l, [&](const V& a, const V& c) { return brdf.total(c, a); });
+        for (std::size_t k = 0; k < N; ++k)
+            if (!is_padding<N>(k, over_v.integral()[k]))
+                of_light.add({.measured = over_v.integral()[k],
+                              .expected = 1,
+                              .allowed = allowed + over_v.error()[k],
+                              .v = from.w,
+                              .input = literal("l", l)});
+    }
+    void report_to(report& r) override { of_light.report_to(r); }
+
+private:
+    per_view of_light;
+};
+
+}  // namespace detail
+
+}  // namespace lobe::testkit

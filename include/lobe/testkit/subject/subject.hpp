@@ -1,0 +1,94 @@
+// A stranger's BRDF before the judge: what is claimed of it, and its functions, each value of which is watched.
+#pragma once
+
+#include <lobe/testkit/measure/budget.hpp>
+#include <lobe/testkit/options.hpp>
+#include <lobe/testkit/subject/brdf.hpp>
+#include <lobe/testkit/subject/watch.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace lobe::testkit::detail {
+
+template <class T, std::size_t N>
+class subject {
+public:
+    using V = vec3<T>;
+    using values = std::array<double, N>;
+
+    subject(brdf_functions<T, N> judged, const options& claimed)
+        : raw(std::move(judged)), claims(claimed), effort(budget_of(claimed.effort)), isotropic(claimed.isotropic.value_or(raw.isotropic)) {
+    }
+
+    bool has_pdf() const { return static_cast<bool>(raw.pdf); }
+    bool has_sample() const { return static_cast<bool>(raw.sample); }
+    bool most_samples_are_lost() const { return lost_samples > 4 * good_samples; }
+
+    values f_cos(const V& v, const V& l) {
+        last = {.v = v, .l = l};
+        values out = raw.f_cos(v, l);
+        const bool vanish = l.z < 0 && v.z > 0 ? true : claims.zero_below && v.z < 0;
+        ++of_f.calls;
+        for (std::size_t i = 0; i < N; ++i) {
+            out[i] = of_f.see(out[i], last, vanish, [&](const V& a, const V& c) { return raw.f_cos(a, c)[i]; });
+            largest = (std::max)(largest, std::abs(out[i]));
+        }
+        return out;
+    }
+
+    double pdf(const V& v, const V& l) {
+        last = {.v = v, .l = l};
+        ++of_pdf.calls;
+        return of_pdf.see(raw.pdf(v, l), last, false, raw.pdf);
+    }
+
+    drawn<T, N> sample(const V& v, const V& u) {
+        last = {.v = v, .u = u, .has_l = false, .numbers = raw.numbers};
+        drawn<T, N> s = raw.sample(v, u);
+        ++of_sample.calls;
+        s.pdf = of_sample.see(s.pdf, last, false);
+        bool carries_light = false;
+        for (double& w : s.weight) {
+            w = of_sample.see(w, last, false);
+            carries_light |= !same(w, 0);
+        }
+        if (s.pdf > 0) {  // a failed sample may carry any l
+            for (const T x : {s.l.x, s.l.y, s.l.z}) of_sample.see(static_cast<double>(std::abs(x)), last, false);
+            lengths.see(s.l, last);
+            if (!(s.l.z > 0) && carries_light) ++of_sample.below.count, of_sample.below.value = s.weight[0], of_sample.below.at = last;
+        } else if (carries_light) {
+            if (!light_without_pdf++) light_place = last;
+        }
+        s.ok = s.pdf > 0 && s.l.z > 0;
+        if (v.z > 0) ++(s.ok ? good_samples : lost_samples);
+        if (!s.ok) s.weight = {};
+        return s;
+    }
+
+    /// All channels together, unwatched.
+    double total(const V& v, const V& l) const {
+        double sum = 0;
+        for (const double f : raw.f_cos(v, l)) sum += f;
+        return sum;
+    }
+
+    /// What rounding does to a value there.
+    double noise_of_f(const place<T>& at, std::size_t channel) const {
+        return rounding_noise<T>([&](const V& v, const V& l) { return raw.f_cos(v, l)[channel]; }, at);
+    }
+    double noise_of_pdf(const place<T>& at) const { return rounding_noise<T>(raw.pdf, at); }
+
+    const brdf_functions<T, N> raw;
+    const options claims;
+    const budget effort;
+    const bool isotropic;
+
+    watch<T> of_f{}, of_pdf{}, of_sample{};
+    length_watch<T> lengths{};
+    place<T> last{}, light_place{};
+    double largest = 0;
+    long light_without_pdf = 0, good_samples = 0, lost_samples = 0;
+};
+
+}  // namespace lobe::testkit::detail
