@@ -225,7 +225,7 @@ TEST_CASE("errata 000, image-based light: the printed formulas fail the checks",
         CHECK(falls_towards_grazing(lobe_blinn));
         CHECK_FALSE(falls_towards_grazing(printed));
         const vec3<double> steep = at(std::cos(80 * pi / 180));
-        CHECK(rounded(lobe::exponent_from_alpha(alpha{0.3}), 2) == 20.22);
+        CHECK(rounded(lobe::blinn_phong_exponent_from_alpha(alpha{0.3}), 2) == 20.22);
         CHECK(rounded(printed(n), 4) == 0.0286);
         CHECK(rounded(lobe_blinn(n), 3) == 3.537);
         CHECK(rounded(printed(steep) / printed(n), 1) == 24.2);
@@ -791,7 +791,7 @@ TEST_CASE("errata 004, distributions of normals: the printed formulas fail the c
         CHECK(rounded(lobe_form.y(), 3) == 0.316);
     }
     SECTION("S4-3: gloss to exponent") {
-        const auto lobe_form = [](double s) { return lobe::exponent_from_gloss(s, 1000.0); };
+        const auto lobe_form = [](double s) { return lobe::blinn_phong_exponent_from_gloss(s, 1000.0); };
         const auto printed = [](double s) { return 1000 * s; };
         const auto multiplies = [](const auto& exponent) {  // equal steps of gloss multiply the exponent equally, from 1 on
             return agree(exponent(0), 1, 1e-12) && agree(exponent(0.5) / exponent(0), exponent(1) / exponent(0.5), 1e-12);
@@ -899,7 +899,7 @@ TEST_CASE("errata 004, distributions of normals: the printed formulas fail the c
         for (double gamma : {1.0, 1.5, 3.0}) CHECK(deviation(gamma) > 0.1);
     }
     SECTION("S4-15: the exponent map above alpha = 1") {
-        CHECK(lobe::exponent_from_alpha(alpha{1.0}) == 0);
+        CHECK(lobe::blinn_phong_exponent_from_alpha(alpha{1.0}) == 0);
         CHECK(rounded(lobe::blinn_phong{alpha{1.0}}.D(at(0.3)), 12) == rounded(1 / pi, 12));
         const auto printed = [](const vec3<double>& m) {
             const double exponent = 2 / (1.2 * 1.2) - 2;

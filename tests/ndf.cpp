@@ -132,17 +132,17 @@ TEST_CASE("peaks and shapes, which normalisation cannot see", "[ndf]") {
 }
 
 TEST_CASE("maps between widths and exponents", "[ndf]") {
-    CHECK(lobe::exponent_from_alpha(alpha{0.3}) == Catch::Approx(20.2222222222222));  // -1.82 with the misprint 2 alpha^2 - 2
-    CHECK(lobe::exponent_from_alpha(alpha{1.0}) == 0);
-    for (double a : {0.001, 0.1, 1.0}) CHECK(lobe::alpha_from_exponent(lobe::exponent_from_alpha(alpha{a})).value() == Catch::Approx(a));
+    CHECK(lobe::blinn_phong_exponent_from_alpha(alpha{0.3}) == Catch::Approx(20.2222222222222));  // -1.82 with the misprint 2 alpha^2 - 2
+    CHECK(lobe::blinn_phong_exponent_from_alpha(alpha{1.0}) == 0);
+    for (double a : {0.001, 0.1, 1.0}) CHECK(lobe::alpha_from_blinn_phong_exponent(lobe::blinn_phong_exponent_from_alpha(alpha{a})).value() == Catch::Approx(a));
     for (double a : {0.001, 0.1, 1.0}) CHECK(lobe::alpha_from_phong_exponent(lobe::phong_exponent_from_alpha(alpha{a})).value() == Catch::Approx(a));
-    CHECK(lobe::exponent_from_gloss(0.5, 1000.0) == Catch::Approx(31.6227766));
-    CHECK(lobe::phong_shininess_from_exponent(lobe::exponent_from_phong_shininess(7.0)) == 7);
+    CHECK(lobe::blinn_phong_exponent_from_gloss(0.5, 1000.0) == Catch::Approx(31.6227766));
+    CHECK(lobe::phong_exponent_from_blinn_phong_exponent(lobe::blinn_phong_exponent_from_phong_exponent(7.0)) == 7);
     const vec3<double> m = tilted(0.1);
     CHECK(lobe::blinn_phong<double>::from_exponent(50).D(m) == Catch::Approx(52 / (2 * pi) * std::pow(m.z, 50)));
     CHECK(lobe::phong<double>::from_exponent(50).D(m) == Catch::Approx(102 / pi * std::pow(2 * m.z * m.z - 1, 50)));
     // four times the shininess is the same width
-    for (double n : {0.25, 7.0, 1000.0}) CHECK(lobe::exponent_from_alpha(lobe::alpha_from_phong_exponent(n)) == Catch::Approx(lobe::exponent_from_phong_shininess(n)));
+    for (double n : {0.25, 7.0, 1000.0}) CHECK(lobe::blinn_phong_exponent_from_alpha(lobe::alpha_from_phong_exponent(n)) == Catch::Approx(lobe::blinn_phong_exponent_from_phong_exponent(n)));
     CHECK(lobe::phong_exponent_from_alpha(alpha{1.0}) == 0);
     // ... and the same lobe near the normal: ln(cos(2 theta)^n / cos(theta)^(4 n)) = -n theta^4 (1 + O(theta^2)), n = 49.5
     const auto relative = [&](const auto& ndf) { return std::log(ndf.D(m) / ndf.D({0, 0, 1})); };
@@ -441,7 +441,7 @@ TEST_CASE("mixtures are linear; masked_by takes each part from its own", "[ndf]"
         CHECK(lobe::mixture{wide, narrow, 1.0}.sample_visible(w, u) == narrow.sample_visible(w, u));
     }
     CHECK(both.width() == vec2<double>{0.1, 0.1});
-    CHECK(lobe::exponent_from_alpha(alpha{0.5}) == 6);
+    CHECK(lobe::blinn_phong_exponent_from_alpha(alpha{0.5}) == 6);
 }
 
 TEST_CASE("SGGX: flakes seen from any side", "[ndf]") {

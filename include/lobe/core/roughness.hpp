@@ -106,4 +106,31 @@ private:
     T ax, ay;
 };
 
+namespace detail {
+
+/// `alpha` and `alpha_xy`.
+template <class W>
+concept width_type = scalar<typename W::scalar> && requires(const W width, const vec3<typename W::scalar> w) {
+    { W::isotropic } -> std::convertible_to<bool>;
+    { width.x() } -> std::same_as<typename W::scalar>;
+    { width.y() } -> std::same_as<typename W::scalar>;
+    { width.stretch(w) } -> std::same_as<vec3<typename W::scalar>>;
+    { width.unstretch(w) } -> std::same_as<vec3<typename W::scalar>>;
+    { width.density_ratio(w) } -> std::same_as<typename W::scalar>;
+};
+template <class N>
+concept number_type = scalar<N> || std::integral<N>;
+
+/// What a distribution that is written with a bare number has for its width: an error that says what to write.
+template <scalar T>
+struct bare_number : alpha<T> {
+    constexpr bare_number(const alpha<T>& width) : alpha<T>(width) {}
+    template <number_type N>
+    constexpr bare_number(const N&) : alpha<T>(T(1)) {
+        static_assert(!scalar<T>, "a bare number is no width: write alpha{0.3f}, or alpha<float>::from_roughness(r)");
+    }
+};
+
+}  // namespace detail
+
 }  // namespace lobe

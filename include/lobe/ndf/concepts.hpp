@@ -1,28 +1,62 @@
-// The role of a distribution of normals.
+// The roles of a density of normals and of a distribution, which knows its projected area as well.
 #pragma once
 
 #include <lobe/core/roughness.hpp>
 
 namespace lobe {
 
-/// A distribution of normals is two functions and what follows from them:
-/// - `D(m)`: density of normals, 1/sr; of a direction, so any positive multiple of m; zero below the horizon;
-/// - `projected_area(w)`: sigma, the area of the microsurface seen from w per unit of macrosurface, its own back faces
-///   excluded (Heitz et al. 2015, Dupuy 2015): cos(theta_w) (1 + Lambda(w)) in Smith's terms; on the whole sphere;
-/// - `lambda(w)`: Smith's Lambda in a form that does not cancel; masking does not call it;
+/// A density of normals:
+/// - `D(m)`: 1/sr; of a direction, so any positive multiple of m; zero below the horizon;
 /// - `width()`: the scale of its slopes along x and y, which quadrature wants to know.
 /// Directions are of its own type: GLM converts float and double vectors into each other without a word, which only a BRDF refuses.
 /// Parameters outside their domain end in an assert; where asserts are compiled out, results mean nothing: NaN, or some number.
 template <class N>
-concept distribution = scalar<typename N::scalar> && requires(const N ndf, const vec3<typename N::scalar> w) {
+concept normal_density = scalar<typename N::scalar> && requires(const N ndf, const vec3<typename N::scalar> m) {
     { N::isotropic } -> std::convertible_to<bool>;
-    { ndf.D(w) } -> std::same_as<typename N::scalar>;
-    { ndf.projected_area(w) } -> std::same_as<typename N::scalar>;
-    { ndf.lambda(w) } -> std::same_as<typename N::scalar>;
+    { ndf.D(m) } -> std::same_as<typename N::scalar>;
     { ndf.width() } -> std::same_as<vec2<typename N::scalar>>;
 };
 
+/// ... that can be sampled: `sample(u)` draws normals with density `pdf(m) = D(m) cos(theta_m)`.
+template <class N>
+concept samplable_density =
+    normal_density<N> && requires(const N ndf, const vec2<typename N::scalar> u, const vec3<typename N::scalar> m) {
+        { ndf.sample(u) } -> std::same_as<vec3<typename N::scalar>>;
+        { ndf.pdf(m) } -> std::same_as<typename N::scalar>;
+    };
+
+/// A distribution of normals is a density and what follows from it:
+/// - `projected_area(w)`: sigma, the area of the microsurface seen from w per unit of macrosurface, its own back faces
+///   excluded (Heitz et al. 2015, Dupuy 2015): cos(theta_w) (1 + Lambda(w)) in Smith's terms; on the whole sphere;
+/// - `lambda(w)`: Smith's Lambda in a form that does not cancel; masking does not call it.
+/// Where there is no closed form, a density is all that its class is, and `tabulated` or `masked_by` makes a distribution of it.
+template <class N>
+concept distribution = normal_density<N> && requires(const N ndf, const vec3<typename N::scalar> w) {
+    { ndf.projected_area(w) } -> std::same_as<typename N::scalar>;
+    { ndf.lambda(w) } -> std::same_as<typename N::scalar>;
+};
+
 namespace detail {
+
+/// The scalar type and the width of a distribution that is written with a W for its width and a P behind it.
+template <class W, class P>
+struct written_with;
+template <width_type W, class P>
+struct written_with<W, P> {
+    using number = std::conditional_t<scalar<P>, P, typename W::scalar>;  // integers become what the width is of
+    using width = W;
+};
+template <number_type W, class P>
+struct written_with<W, P> {
+    using number = std::conditional_t<scalar<P>, P, std::conditional_t<scalar<W>, W, double>>;
+    using width = bare_number<number>;
+};
+
+/// For deduction guides.
+template <class W, class P = int>
+using number_t = typename written_with<W, P>::number;
+template <class W, class P = int>
+using width_t = typename written_with<W, P>::width;
 
 template <class Width, scalar T>
 struct width_in {
@@ -33,6 +67,14 @@ struct width_in {
 /// The width of a distribution whose other parameters are T.
 template <class Width, scalar T>
 using width_in_t = typename width_in<Width, T>::type;
+
+template <class Width, scalar T>
+struct one_width_in : width_in<Width, T> {
+    static_assert(Width::isotropic, "this family of distributions is not shape-invariant: it has one width, alpha, and no alpha_xy");
+};
+/// ... of one that cannot be stretched.
+template <class Width, scalar T>
+using one_width_in_t = typename one_width_in<Width, T>::type;
 
 /// The projected area from a direction above the horizon: by the distribution's shorter form, if it has one.
 template <distribution N, class T = typename N::scalar>
@@ -45,15 +87,10 @@ constexpr T area_above(const N& ndf, const vec3<T>& w) {
 
 }  // namespace detail
 
-/// ... that can be sampled: `sample(u)` draws normals with density `pdf(m) = D(m) cos(theta_m)`.
 template <class N>
-concept samplable_distribution =
-    distribution<N> && requires(const N ndf, const vec2<typename N::scalar> u, const vec3<typename N::scalar> m) {
-        { ndf.sample(u) } -> std::same_as<vec3<typename N::scalar>>;
-        { ndf.pdf(m) } -> std::same_as<typename N::scalar>;
-    };
+concept samplable_distribution = distribution<N> && samplable_density<N>;
 
-/// ... and whose visible normals can be sampled: `sample_visible(v, u)` with density
+/// ... whose visible normals can be sampled: `sample_visible(v, u)` with density
 /// `pdf_visible(v, m) = max(0, v.m) D(m) / projected_area(v)` (Heitz & d'Eon 2014).
 template <class N>
 concept visibly_samplable_distribution = distribution<N> && requires(const N ndf, const vec2<typename N::scalar> u,

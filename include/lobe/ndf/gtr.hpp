@@ -54,18 +54,16 @@ private:
 
 /// GTR: D = C (alpha^2 cos^2 + sin^2)^-gamma, C = phi(L) / (pi phi((1-gamma) L)). Burley 2012, "Physically-Based Shading at
 /// Disney", appendix B. gamma = 2 is GGX; gamma = 1, the clear coat, is Berry 1923. Not shape-invariant but for gamma = 2: only `alpha`.
-/// Domain: 0 < alpha <= 1, gamma > 0 with (gamma - 1) ln(1/alpha^2) < 87 in float. D in 1/sr. Projected area, Lambda, visible
-/// normals: scalar types only, from a table that the constructor builds (0.5 ms: once, not per pixel).
+/// Domain: 0 < alpha <= 1, gamma > 0 with (gamma - 1) ln(1/alpha^2) < 87 in float. D in 1/sr. No closed projected area: `tabulated` or,
+/// as Burley's coat has it, `masked_by{gtr{a, 1.0f}, ggx{alpha{0.25f}}}`.
 /// Error of D: 12 (1 + |ln(D pi alpha^2 cos^4)|) ULP for gamma <= 5; of the projected area: 3e-6 of that along the horizon from
 /// alpha 1e-3 on; for gamma < 2, whose tail goes on from tan = alpha to tan = 1, 4e-5 at alpha = 1e-4, 6e-4 at 1e-5.
-template <scalar T>
-class gtr : public radial<tabulated<gtr_shape<T>, T>, alpha<T>> {
-    using shape = tabulated<gtr_shape<T>, T>;
-
+template <scalar T, detail::width_type Width = alpha<T>>
+class gtr : public radial<gtr_shape<T>, detail::one_width_in_t<Width, T>> {
 public:
-    constexpr gtr(const alpha<T>& width, const T& gamma) : radial<shape, alpha<T>>(shape(gtr_shape<T>(width.value(), gamma)), width) {}
+    constexpr gtr(const Width& width, const T& gamma) : radial<gtr_shape<T>, Width>(gtr_shape<T>(width.x(), gamma), width) {}
 };
-template <scalar T>
-gtr(alpha<T>, T) -> gtr<T>;
+template <class W, class P>
+gtr(W, P) -> gtr<detail::number_t<W, P>, detail::width_t<W, P>>;
 
 }  // namespace lobe

@@ -9,7 +9,7 @@ namespace lobe {
 /// as Walter et al. 2007, p. 7, for Phong's D under Beckmann's. Not a surface: the projected area is not that of D's facets, so energy
 /// is not conserved exactly, in either direction, and the visible normals of neither have the density max(0, v.m) D(m)/sigma(v).
 /// Sample it with `all_normals`.
-template <distribution First, distribution Other>
+template <normal_density First, distribution Other>
     requires std::same_as<typename First::scalar, typename Other::scalar>
 class masked_by {
     using T = typename First::scalar;
@@ -26,7 +26,7 @@ public:
     constexpr vec2<T> width() const { return first.width(); }
 
     constexpr vec3<T> sample(const vec2<T>& u) const
-        requires samplable_distribution<First>
+        requires samplable_density<First>
     {
         return first.sample(u);
     }

@@ -10,7 +10,7 @@ namespace lobe::detail {
 
 /// One number, not a pack of them: something that an `if` can look at.
 template <class T>
-concept single = scalar<T> && requires(const T a) {
+concept one_lane = scalar<T> && requires(const T a) {
     { a < a } -> std::convertible_to<bool>;
 };
 
@@ -34,7 +34,7 @@ constexpr T zero_cosine() {
 /// int g(x) dx over x > 0: the trapezoid rule after x = scale exp((pi/2) sinh t), which crowds nodes towards 0 and infinity
 /// (Takahasi & Mori 1974). 112 evaluations of g, a number or a vector of them, smooth in ln x and falling faster than x^-1.2.
 /// Error: below 1e-9 of int |g| where g turns within a few powers of ten around `scale`.
-template <single T, class G>
+template <one_lane T, class G>
 constexpr auto integral_to_infinity(const T& scale, const G& g) {
     using std::exp;
     const T step = T(8.5f) / T(112), quarter = pi<T>() / T(2), grow = exp(step);
@@ -48,7 +48,7 @@ constexpr auto integral_to_infinity(const T& scale, const G& g) {
 }
 
 /// int g(x) dx over low < x < high, the same with x = (low + high)/2 + (high - low)/2 tanh((pi/2) sinh t): the ends may be singular.
-template <single T, class G>
+template <one_lane T, class G>
 constexpr auto integral_between(const T& low, const T& high, const G& g) {
     using std::exp;
     const T step = T(6.5f) / T(112), quarter = pi<T>() / T(2), grow = exp(step), width = high - low;
@@ -62,7 +62,7 @@ constexpr auto integral_between(const T& low, const T& high, const G& g) {
 }
 
 /// int g(x) dx from low to high for a g that is nearly a polynomial in each of `panels` parts: Gauss-Legendre, 8 evaluations a part.
-template <single T, class G>
+template <one_lane T, class G>
 constexpr T short_integral(const T& low, const T& high, int panels, const G& g) {
     constexpr double node[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
     constexpr double weight[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
@@ -83,7 +83,7 @@ struct value_and_slope {
 /// The x in [low, high] where an increasing function is zero; `f(x)` returns its value and slope. Newton's method, bisecting
 /// where Newton leaves the bracket, until steps are small enough for the next, as small as their square, not to show. Error: the
 /// rounding of f over its slope, or 4 ULP of the bracket's ends.
-template <single T, class F>
+template <one_lane T, class F>
 constexpr T root_of_increasing(T low, T high, T x, const F& f) {
     using std::abs, std::sqrt;
     const T epsilon = std::numeric_limits<T>::epsilon(), precision = T(4) * epsilon, quadratic = sqrt(epsilon) / T(8);

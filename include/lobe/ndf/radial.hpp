@@ -13,29 +13,36 @@ namespace lobe {
 /// - `D(tau, sec2)` = f(tau) sec2^2, finite where its arguments are: D in 1/sr, sec2 = 1 + tau at width 1;
 /// - `survival(tau)` = pi int_tau^inf f: the share of the macrosurface whose facets are steeper;
 /// - `tan2(u)`: the tau at which survival is 1 - u;
-/// - `back(a)`: the area of back faces seen at the cotangent a >= 0, over the sine: int_a^inf (x - a) P(x) dx, P the
-///   distribution of slopes along one axis. Smith's Lambda is back(a)/a, or `lambda(a)` where that says it better;
-/// - `as<U>()`: the same in another scalar type.
-/// A shape whose slopes are bounded, or might as well be, says `max_tan2()`. One that can draw visible normals itself has
-/// `sample_visible(v, u)`. One whose `back` is an approximation says so, `using approximate_area = void`: visible normals then
-/// have no exact density.
+/// - `as<U>()`: the same in another scalar type, double where T is float.
+/// (Of packs it need not have more than D.) A shape whose slopes are bounded, or might as well be, says `max_tan2()`. One that can draw
+/// visible normals itself has `sample_visible(v, u)`.
 template <class S, class T>
 concept radial_shape = requires(const S shape, const T x) {
     { shape.D(x, x) } -> std::same_as<T>;
     { shape.survival(x) } -> std::same_as<T>;
     { shape.tan2(x) } -> std::same_as<T>;
+    shape.template as<detail::at_least_double<T>>().survival(detail::at_least_double<T>(1));
+};
+
+/// ... whose projected area is known:
+/// - `back(a)`: the area of back faces seen at the cotangent a >= 0, over the sine: int_a^inf (x - a) P(x) dx, P the
+///   distribution of slopes along one axis. Smith's Lambda is back(a)/a, or `lambda(a)` where that says it better.
+/// One whose `back` is an approximation says so, `using approximate_area = void`: visible normals then have no exact density.
+template <class S, class T>
+concept radial_shape_with_area = requires(const S shape, const T x) {
+    { shape.back(x) } -> std::same_as<T>;
 };
 
 namespace detail {
 
 /// f(tau), the density of slopes.
-template <class Shape, single T>
+template <class Shape, one_lane T>
 constexpr T slope_density(const Shape& shape, const T& tau) {
     return shape.D(tau, T(1));
 }
 
 /// int g(R) 2 pi f(a^2 + R^2) R dR over R > from: an average over the facets whose slope r is more than `a`, R^2 = r^2 - a^2.
-template <single T, class Shape, class G>
+template <one_lane T, class Shape, class G>
 constexpr auto average_over_steep(const Shape& shape, const T& a, const T& from, const G& g) {
     using std::sqrt;
     const auto integrand = [&](const T& R) { return g(R) * (T(2) * pi<T>() * slope_density(shape, a * a + R * R) * R); };
@@ -49,7 +56,7 @@ constexpr auto average_over_steep(const Shape& shape, const T& a, const T& from,
 
 /// back(a) by quadrature, and its slope: (1/pi) int (R - a atan(R/a)) and -(1/pi) int atan(R/a) over the facets steeper than
 /// a.
-template <single T, class Shape>
+template <one_lane T, class Shape>
 constexpr value_and_slope<T> back_by_quadrature(const Shape& shape, const T& a) {
     using std::atan2;
     const vec2<T> both = average_over_steep(shape, a, T(0), [&](const T& R) {
@@ -66,7 +73,7 @@ constexpr value_and_slope<T> back_by_quadrature(const Shape& shape, const T& a) 
 ///   z phi + s r sin phi = (2 u.y - 1) (z phi_max + s r sin phi_max).
 /// Unit v, also below the horizon; `back` is the area of back faces over s. Scalar types only; 200 to 500 evaluations of D
 /// at grazing angles, none from above.
-template <class Shape, single T>
+template <class Shape, one_lane T>
 constexpr vec3<T> sample_visible_radial(const Shape& shape, const T& back, const vec3<T>& v, const vec2<T>& u) {
     using std::asinh, std::atan2, std::cos, std::log, std::sin, std::sinh, std::sqrt;
     const T z = v.z, s = sqrt(v.x * v.x + v.y * v.y), cot = s > T(0) ? z / s : T(0), a = larger(cot, -cot);
@@ -113,7 +120,7 @@ constexpr vec3<T> sample_visible_radial(const Shape& shape, const T& back, const
 }
 
 /// The same, computed in double at least.
-template <class Shape, single T>
+template <class Shape, one_lane T>
 constexpr vec3<T> sample_visible_by_quadrature(const Shape& shape, const vec3<T>& v, const vec2<T>& u) {
     using W = at_least_double<T>;
     using std::sqrt;
@@ -129,7 +136,8 @@ constexpr vec3<T> sample_visible_by_quadrature(const Shape& shape, const vec3<T>
 template <class Shape, scalar T>
 class radial_profile {
 public:
-    constexpr explicit radial_profile(const Shape& of) : shape(of) {}
+    constexpr explicit radial_profile(const Shape& of) : shape_(of) {}
+    constexpr const Shape& shape() const { return shape_; }
 
     /// f(tau)/(ax ay cos^4), tau the squared tangent of the unstretched normal. A cosine of zero is one of 2^-490 (2^-44 in float),
     /// so that the horizon gets the limit from above.
@@ -138,69 +146,76 @@ public:
         const T z = larger(absolute(m.z), larger(absolute(m.x), absolute(m.y)) * detail::zero_cosine<T>());
         const vec3<T> s = width.unstretch(vec3<T>{m.x, m.y, z});
         const auto tan2 = [](const vec3<T>& w, const T& cosine) { return (w.x * w.x + w.y * w.y) / larger(cosine * cosine, detail::smallest<T>()); };
-        return shape.D(smaller(tan2(s, s.z), detail::largest<T>() / T(4)), tan2(m, z) + T(1)) / (width.x() * width.y());
+        return shape_.D(smaller(tan2(s, s.z), detail::largest<T>() / T(4)), tan2(m, z) + T(1)) / (width.x() * width.y());
     }
 
     /// max(0, z) + back faces.
-    constexpr T projected_area(const vec3<T>& w) const {
+    constexpr T projected_area(const vec3<T>& w) const
+        requires radial_shape_with_area<Shape, T>
+    {
         using std::sqrt;
         const T s = sqrt(w.x * w.x + w.y * w.y);
-        return larger(w.z, T(0)) + s * shape.back(cotangent(w.z, s));
+        return larger(w.z, T(0)) + s * shape_.back(cotangent(w.z, s));
     }
 
-    constexpr T lambda(const vec3<T>& w) const {
+    constexpr T lambda(const vec3<T>& w) const
+        requires radial_shape_with_area<Shape, T>
+    {
         using std::sqrt;
         const T a = cotangent(w.z, sqrt(w.x * w.x + w.y * w.y));
         T behind;
-        if constexpr (requires { shape.lambda(a); })
-            behind = shape.lambda(a);
+        if constexpr (requires { shape_.lambda(a); })
+            behind = shape_.lambda(a);
         else
-            behind = shape.back(a) / a;
+            behind = shape_.back(a) / a;
         return select(w.z < T(0), T(-1) - behind, behind);
     }
 
-    constexpr vec3<T> sample(const vec2<T>& u) const {
+    constexpr vec3<T> sample(const vec2<T>& u) const
+        requires(requires(const Shape s) { s.tan2(u.x); })
+    {
         using std::sqrt;
-        const T r = sqrt(shape.tan2(u.x));
+        const T r = sqrt(shape_.tan2(u.x));
         const auto [s, c] = sincos_2pi(u.y);
         return {r * c, r * s, T(1)};
     }
 
     constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const
-        requires(detail::single<T> && !requires { typename Shape::approximate_area; })
+        requires(detail::one_lane<T> && radial_shape_with_area<Shape, T> && !requires { typename Shape::approximate_area; })
     {
-        if constexpr (requires { shape.sample_visible(v, u); })
-            return shape.sample_visible(v, u);
+        if constexpr (requires { shape_.sample_visible(v, u); })
+            return shape_.sample_visible(v, u);
         else
-            return detail::sample_visible_by_quadrature(shape, v, u);
+            return detail::sample_visible_by_quadrature(shape_, v, u);
     }
 
 private:
     static constexpr T cotangent(const T& z, const T& s) { return smaller(larger(z, -z) / larger(s, detail::smallest<T>()), detail::largest<T>()); }
 
-    [[no_unique_address]] Shape shape;
+    [[no_unique_address]] Shape shape_;
 
-    static_assert(radial_shape<Shape, T>);
+    static_assert(radial_shape<Shape, T> || (!detail::one_lane<T> && requires(const Shape s, const T x) {
+        { s.D(x, x) } -> std::same_as<T>;
+    }));
 };
 
-/// A radial shape and the width that stretches it.
+/// A radial shape and the width that stretches it: a density, and a distribution where the shape has an area.
 template <class Shape, class Width>
 class radial : public stretched<radial_profile<Shape, typename Width::scalar>, Width> {
-    using profile = radial_profile<Shape, typename Width::scalar>;
+    using of_width_1 = radial_profile<Shape, typename Width::scalar>;
 
 public:
-    constexpr radial(const Shape& shape, const Width& width) : stretched<profile, Width>(profile(shape), width) {}
+    constexpr radial(const Shape& shape, const Width& width) : stretched<of_width_1, Width>(of_width_1(shape), width) {}
 };
 
-/// A shape without a closed `back`, and a table of it: cubic Hermite between values and slopes at `panels` + 1 nodes in
+/// A shape without a closed `back`, and a table of it: cubic Hermite between values and slopes at 97 nodes in
 /// w = q/(1 + q), q = sqrt(a/scale), from the horizon (w = 0) to the normal (w = 1), where it holds the limits.
-/// Build it once, not per pixel: about half a millisecond. Scalar types only.
-/// Error of a projected area: 3e-6 of the one along the horizon where the slopes span less than four powers of ten, or as the distribution
-/// says: `gtr` and `abc` at alpha = 1e-4 are off by 4e-5.
-template <class Shape, detail::single T, int panels = 96>
-class tabulated : public Shape {
+template <class Shape, detail::one_lane T>
+class tabulated_shape : public Shape {
+    static constexpr int panels = 96;
+
 public:
-    constexpr explicit tabulated(const Shape& shape) : Shape(shape), scale(), node() {
+    constexpr explicit tabulated_shape(const Shape& shape) : Shape(shape), scale(), node() {
         using W = detail::at_least_double<T>;
         using std::sqrt;
         const auto wide = shape.template as<W>();
@@ -230,7 +245,34 @@ private:
     std::array<detail::value_and_slope<T>, std::size_t(panels) + 1> node;
 };
 
-/// A profile that somebody else keeps: `stretched{shared{profile}, alpha{a}}` costs a pointer where the profile holds a table.
+namespace detail {
+
+template <class Density>
+using shape_of = std::remove_cvref_t<decltype(std::declval<const Density&>().profile().shape())>;
+template <class Density>
+using widths_of = std::remove_cvref_t<decltype(std::declval<const Density&>().widths())>;
+
+}  // namespace detail
+
+/// A density without a closed projected area, and a table of that: `tabulated{gtr{a, 1.0f}}` is a distribution, with visible normals.
+/// Build it once, not per pixel: it takes 0.4 to 0.9 ms and 0.8 kB in float, 1.6 in double. Scalar types only.
+/// Error of a projected area: 3e-6 of the one along the horizon where the slopes span less than four powers of ten, or as the density
+/// says: `gtr` and `abc` at alpha = 1e-4 are off by 4e-5.
+template <normal_density Density>
+    requires requires(const Density d) { d.profile().shape(); }
+class tabulated
+    : public radial<tabulated_shape<detail::shape_of<Density>, typename Density::scalar>, detail::widths_of<Density>> {
+    static_assert(!distribution<Density>, "this distribution has a projected area: it needs no table");
+    using shape = tabulated_shape<detail::shape_of<Density>, typename Density::scalar>;
+
+public:
+    constexpr explicit tabulated(const Density& density)
+        : radial<shape, detail::widths_of<Density>>(shape(density.profile().shape()), density.widths()) {}
+};
+
+/// A profile that somebody else keeps. What is shape-invariant needs one table for all widths, and each of them a pointer to it:
+///   const tabulated table{exponential_power{alpha{1.0f}, p}};
+///   const stretched ndf{shared{table.profile()}, alpha{a}};
 /// The profile has to outlive it.
 template <class Profile>
 class shared {
@@ -251,13 +293,29 @@ public:
         return p->D(m);
     }
     template <scalar T>
-    constexpr T projected_area(const vec3<T>& w) const { return p->projected_area(w); }
+    constexpr T projected_area(const vec3<T>& w) const
+        requires(requires(const Profile q) { q.projected_area(w); })
+    {
+        return p->projected_area(w);
+    }
     template <scalar T>
-    constexpr T lambda(const vec3<T>& w) const { return p->lambda(w); }
+    constexpr T lambda(const vec3<T>& w) const
+        requires(requires(const Profile q) { q.lambda(w); })
+    {
+        return p->lambda(w);
+    }
     template <scalar T>
-    constexpr vec3<T> sample(const vec2<T>& u) const { return p->sample(u); }
+    constexpr vec3<T> sample(const vec2<T>& u) const
+        requires(requires(const Profile q) { q.sample(u); })
+    {
+        return p->sample(u);
+    }
     template <scalar T>
-    constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const { return p->sample_visible(v, u); }
+    constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const
+        requires(requires(const Profile q) { q.sample_visible(v, u); })
+    {
+        return p->sample_visible(v, u);
+    }
 
 private:
     const Profile* p;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <lobe/core/frame.hpp>
-#include <lobe/core/roughness.hpp>
+#include <lobe/ndf/concepts.hpp>
 #include <lobe/sampling/warp.hpp>
 
 #include <cassert>
@@ -30,8 +30,10 @@ public:
     using scalar = T;
 
     /// Flakes of a surface around n = (0,0,1): S = diag(alpha^2, alpha^2, 1).
-    constexpr explicit sggx(const alpha<T>& width) : sggx(vec3<T>{width.x(), T(0), T(0)}, {T(0), width.y(), T(0)}, {T(0), T(0), T(1)}) {}
-    constexpr explicit sggx(const alpha_xy<T>& width) : sggx(vec3<T>{width.x(), T(0), T(0)}, {T(0), width.y(), T(0)}, {T(0), T(0), T(1)}) {}
+    template <detail::width_type Width>
+    constexpr explicit sggx(const Width& width) : sggx(vec3<T>{width.x(), T(0), T(0)}, {T(0), width.y(), T(0)}, {T(0), T(0), T(1)}) {}
+    template <detail::number_type N>
+    constexpr explicit sggx(const N& bare) : sggx(detail::bare_number<T>(bare)) {}
 
     /// From the eigenvectors of S and the roots of its eigenvalues: the projected areas along them, all > 0.
     constexpr sggx(const frame<T>& axes, const vec3<T>& areas) : sggx(areas.x * axes.t, areas.y * axes.b, areas.z * axes.n) {}
@@ -81,9 +83,7 @@ private:
 
     vec3<T> x, y, z;
 };
-template <scalar T>
-sggx(alpha<T>) -> sggx<T>;
-template <scalar T>
-sggx(alpha_xy<T>) -> sggx<T>;
+template <class W>
+sggx(W) -> sggx<detail::number_t<W>>;
 
 }  // namespace lobe

@@ -22,7 +22,7 @@ constexpr T log1p_ratio(const T& x) {
 }
 
 /// The continued fraction a1/(b1 + a2/(b2 + ...)) by the modified method of Lentz (Thompson & Barnett 1986). Scalar types only.
-template <single T, class Numerator, class Denominator>
+template <one_lane T, class Numerator, class Denominator>
 constexpr T continued_fraction(const Numerator& a, const Denominator& b) {
     using std::abs;
     const T tiny = zero_cosine<T>();  // stands for a zero that turns up by chance
@@ -42,7 +42,7 @@ constexpr T continued_fraction(const Numerator& a, const Denominator& b) {
 /// Significant Digit Computation of the Incomplete Beta Function Ratios", and by the symmetry I_x(p, q) = 1 - I_(1-x)(q, p).
 /// (NIST DLMF 8.17.22, of which this is every second convergent, loses p ULP as x nears 1.) `complement` is 1 - x; `norm` is
 /// Gamma(p + q)/(Gamma(p) Gamma(q)). p, q > 0. Scalar types only. With q = 1/2 tens of terms for any p.
-template <single T>
+template <one_lane T>
 constexpr T incomplete_beta(const T& p, const T& q, const T& x, const T& complement, const T& norm) {
     using std::exp, std::log, std::log1p;
     const auto tail = [&](const T& p1, const T& q1, const T& x1, const T& y1) {
@@ -65,7 +65,7 @@ constexpr T incomplete_beta(const T& p, const T& q, const T& x, const T& complem
 
 /// The regularised upper incomplete gamma function Q(s, x) = Gamma(s, x)/Gamma(s), s > 0, x >= 0: series of positive terms of its
 /// complement below s + 1, continued fraction above (DLMF 8.7.1, 8.9.2). Scalar types only. Error: 1e-14 for s <= 8.
-template <single T>
+template <one_lane T>
 struct incomplete_gamma {
     T s, gamma_s;
     constexpr explicit incomplete_gamma(const T& shape) : s(shape), gamma_s() {
@@ -96,7 +96,7 @@ struct incomplete_gamma {
 /// The upper incomplete gamma function Gamma(s, x) for any real s and x > 0: the continued fraction from x or from 1 on, and
 /// below 1 the integral of the series of e^-y, term by term, as (1 - x^q)/q = -ln x phi(q ln x), which has no poles.
 /// Scalar types only. Relative error 1e-14 for |s| <= 8.
-template <single T>
+template <one_lane T>
 constexpr T upper_gamma(const T& s, const T& x) {
     using std::exp, std::log, std::pow;
     const T from = larger(x, T(1));
@@ -114,7 +114,7 @@ constexpr T upper_gamma(const T& s, const T& x) {
 
 /// The y >= 0 with erfc(y)/2 = p, 0 < p <= 1/2. Start: Abramowitz & Stegun 26.2.23 (4.5e-4); two steps of Halley, each of which
 /// cubes the error. Error: 4 ULP in double. Scalar types only.
-template <single T>
+template <one_lane T>
 constexpr T inverse_half_erfc(const T& p) {
     using std::erfc, std::exp, std::log, std::sqrt;
     const T t = sqrt(T(-2) * log(p));

@@ -44,7 +44,7 @@ public:
     ///   B y^(k-1/2) - a Q,  Q = I_y(k, 1/2)/2,  B = k^(3/2) Gamma(k + 1/2) / (sqrt(pi) Gamma(k + 1) (2k - 1)),
     /// whose difference costs a factor of 1 + min(k, a^2): computed in double at least. Scalar types only.
     constexpr T back(const T& a) const
-        requires(detail::single<T>)
+        requires(detail::one_lane<T>)
     {
         using W = detail::at_least_double<T>;
         using std::exp, std::log1p, std::sqrt;
@@ -91,15 +91,13 @@ private:
 /// scalar types only (0.1 to 0.3 microseconds; a normal 0.3 seen from above, 1 to 4 at 60 degrees, 10 to 17 at grazing ones).
 /// Error of D: 10 (1 + |ln(D pi ax ay cos^4)|) ULP; relative, of the projected area 1e-14, in float 3e-7; of Lambda, where it is
 /// above 1e-12, 1e-12, in float, above 1e-4, 2e-6.
-template <scalar T, class Width = alpha<T>>
+template <scalar T, detail::width_type Width = alpha<T>>
 class student_t : public radial<student_t_shape<T>, detail::width_in_t<Width, T>> {
 public:
     constexpr student_t(const Width& width, const T& gamma) : radial<student_t_shape<T>, Width>(student_t_shape<T>(gamma), width) {}
 };
-template <scalar T>
-student_t(alpha<T>, T) -> student_t<T, alpha<T>>;
-template <scalar T>
-student_t(alpha_xy<T>, T) -> student_t<T, alpha_xy<T>>;
+template <class W, class P>
+student_t(W, P) -> student_t<detail::number_t<W, P>, detail::width_t<W, P>>;
 
 namespace detail {
 
@@ -117,7 +115,7 @@ constexpr alpha_xy<T> narrower(const alpha_xy<T>& width, const T& by) {
 /// Hyper-Cauchy: D = (gamma-1) / (pi alpha^2 cos^4) (1 + tan^2/alpha^2)^-gamma. Wellems et al. 2006; Hoffman 2016, "Recent Advances in
 /// Physically Based Shading". It is Student-t of the width alpha/sqrt(gamma - 1), which `width()` returns. Domain and error: those
 /// of `student_t`.
-template <scalar T, class Width = alpha<T>>
+template <scalar T, detail::width_type Width = alpha<T>>
 class hyper_cauchy : public student_t<T, Width> {
 public:
     constexpr hyper_cauchy(const Width& width, const T& gamma) : student_t<T, Width>(detail::narrower(width, root(gamma - T(1))), gamma) {}
@@ -129,9 +127,7 @@ private:
         return sqrt(k);
     }
 };
-template <scalar T>
-hyper_cauchy(alpha<T>, T) -> hyper_cauchy<T, alpha<T>>;
-template <scalar T>
-hyper_cauchy(alpha_xy<T>, T) -> hyper_cauchy<T, alpha_xy<T>>;
+template <class W, class P>
+hyper_cauchy(W, P) -> hyper_cauchy<detail::number_t<W, P>, detail::width_t<W, P>>;
 
 }  // namespace lobe
