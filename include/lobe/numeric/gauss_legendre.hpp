@@ -11,7 +11,7 @@
 namespace lobe {
 
 /// int_0^1 g = sum w_i g(x_i), exact for polynomials of degree 2n - 1: nodes by Newton's method from Tricomi's first guess. Allocates: host
-/// only. Scalar types only. Error of nodes and weights: 4 ULP of 1.
+/// only. Scalar types only. Error in double, up to n = 512: nodes 1e-16, weights relative 6e-15 n (the smallest, at the ends).
 template <scalar T>
 struct gauss_legendre {
     std::vector<T> x, w;
