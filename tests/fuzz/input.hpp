@@ -112,8 +112,30 @@ T between(input& in, double low, double high) {
     return x < static_cast<T>(low) ? static_cast<T>(low) : x > static_cast<T>(high) ? static_cast<T>(high) : x;
 }
 
+/// A number whose exponent is as likely as any other, of either sign, or zero.
+template <class T>
+T any_exponent(input& in) {
+    const std::uint64_t word = in.word();
+    const T x = word % 16 == 0 ? T(0) : std::ldexp(T(0.5) + uniform<T>(mixed(word)) / T(2), -static_cast<int>(word % (sizeof(T) == 4 ? 151u : 1076u)));
+    return word / 16 % 2 ? x : -x;
+}
+
+/// Of unit length but for a few ULP, two components of any size, in any of the three places. (-ffast-math promises nothing there.)
+template <class T>
+lobe::vec3<T> any_direction(input& in) {
+#ifdef __FAST_MATH__
+    return {T(0), T(in.below(2) ? 0.6 : -0.6), T(0.8)};
+#endif
+    T a = any_exponent<T>(in), b = any_exponent<T>(in);
+    if (a * a + b * b > T(1)) a /= T(2), b /= T(2);
+    const std::uint64_t word = in.word();
+    const T stretch = T(1) + static_cast<T>(static_cast<int>(word % 5) - 2) * std::numeric_limits<T>::epsilon(), rest = std::sqrt(T(1) - a * a - b * b);
+    const T c = word / 8 % 4 ? rest * stretch : -rest * stretch;
+    return word / 32 % 3 == 0 ? lobe::vec3<T>{c, a, b} : word / 32 % 3 == 1 ? lobe::vec3<T>{b, c, a} : lobe::vec3<T>{a, b, c};
+}
+
 /// A unit vector: anywhere, along the normal, near it or near the horizon, at it, below; among the axes and off them by the
-/// smallest numbers. Cosines above the horizon are at least 1e-6.
+/// smallest numbers; of any components.
 template <class T>
 lobe::vec3<T> direction(input& in) {
     const std::uint64_t word = in.word(), where = word >> 8;
@@ -128,6 +150,7 @@ lobe::vec3<T> direction(input& in) {
     case 5:
     case 6: z = std::pow(10, -6 * x), sine = std::sqrt((1 - z) * (1 + z)); break;
     case 7: z = -z; break;
+    case 9: return any_direction<T>(in);
     case 8: z = -std::pow(10, -40 * x), sine = std::sqrt((1 - z) * (1 + z)); break;
     default: break;
     }
@@ -141,7 +164,8 @@ lobe::vec3<T> direction(input& in) {
     return {static_cast<T>(sine * c), static_cast<T>(sine * s), static_cast<T>(z)};
 }
 
-/// A light for the view v and the width: any, or v, or -v, or where the perfect mirror or a facet as steep as the width sends it.
+/// A light for the view v and the width: any, or v, or -v, or what all but cancels v, or where the perfect mirror or a facet as steep as the
+/// width sends it.
 template <class T>
 lobe::vec3<T> light(input& in, const lobe::vec3<T>& v, const lobe::vec2<T>& width) {
     const std::uint64_t word = in.word(), where = word >> 8;
@@ -157,7 +181,11 @@ lobe::vec3<T> light(input& in, const lobe::vec3<T>& v, const lobe::vec2<T>& widt
         for (double& x : m) x /= length;
         const double v_m = w[0] * m[0] + w[1] * m[1] + w[2] * m[2];
         const lobe::vec3<T> l{static_cast<T>(2 * v_m * m[0] - w[0]), static_cast<T>(2 * v_m * m[1] - w[1]), static_cast<T>(2 * v_m * m[2] - w[2])};
-        return l.z > T(0) && l.z < static_cast<T>(1e-6) ? direction<T>(in) : l;
+        return l;
+    }
+    case 5: {
+        const lobe::vec3<T> l{-v.x, -v.y, any_exponent<T>(in)};
+        return std::abs(lobe::dot(l, l) - T(1)) < T(16) * std::numeric_limits<T>::epsilon() ? l : any_direction<T>(in);
     }
     default: return direction<T>(in);
     }
