@@ -71,7 +71,7 @@ void make_parameters(inputs& in, random_numbers& random) {
 }  // namespace
 
 void set_average_albedos(inputs& in) {
-    const lobe::detail::gauss_legendre<double> rule(32);
+    const lobe::gauss_legendre<double> rule(32);
     for (std::size_t i = 0; i < count; ++i) {
         lobe::vec3<double> average(0.0);
         const lobe::vec3<double> F0{in.r[i], in.g[i], in.b[i]};

@@ -222,7 +222,7 @@ TEST_CASE("Toksvig", "[antialiasing]") {
     CHECK(lobe::toksvig_exponent(100.0, 1.0) == 100);
 
     // How far the proxy is off for Gaussian slopes of variance s: |N| = int e^-t (1 + 2 s t)^(-1/2) dt.
-    const lobe::detail::gauss_legendre<double> rule(64);
+    const lobe::gauss_legendre<double> rule(64);
     const std::pair<double, double> known[] = {{0.001, 0.002}, {0.01, 0.019}, {0.05, 0.08}, {0.2, 0.22}};
     for (const auto& [s, off] : known) {
         double length = 0;

@@ -4,7 +4,7 @@
 #include "support.hpp"
 
 #include <lobe/lobe.hpp>
-#include <lobe/testkit/cubature.hpp>
+#include <lobe/testkit/measure/mesh.hpp>
 
 #include <array>
 #include <functional>

@@ -56,7 +56,7 @@ public:
     /// 1e30 outside the last; in phi, nodes crowd towards the edges of a sector. Where the reach ends inside a bin, the error is 1/96^2 of it.
     template <class Density>
     std::vector<double> probabilities(const Density& density) const {
-        const lobe::detail::gauss_legendre<double> across(96), along(6);
+        const lobe::gauss_legendre<double> across(96), along(6);
         std::vector<double> p(count());
         for (int sector = 0; sector < sectors; ++sector)
             for (std::size_t k = 0; k < across.x.size(); ++k) {

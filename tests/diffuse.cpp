@@ -78,7 +78,7 @@ vec3<double> at_cosine(double mu) { return {std::sqrt((1 - mu) * (1 + mu)), 0, m
 /// theta_v and at a quarter turn, so that each piece is smooth and 24 nodes a side reach 1e-13.
 template <class B>
 double albedo(const B& b, double mu) {
-    static const lobe::detail::gauss_legendre<double> rule(24);
+    static const lobe::gauss_legendre<double> rule(24);
     const vec3<double> v = at_cosine(mu);
     const double half_pi = static_cast<double>(pi / 2), theta_v = std::atan2(v.x, v.z);
     double total = 0;
@@ -232,7 +232,7 @@ TEST_CASE("FON's albedo is its closed form, and its average", "[diffuse]") {
         const real printed = 0.6L * (1 + c2 * real(r)) / (1 + c1 * real(r));
         CHECK(std::abs(average.value - static_cast<double>(printed)) < 1.0 / (32 * 32));
         // 2 int E mu dmu by Gauss-Legendre in mu = t^3
-        const lobe::detail::gauss_legendre<double> rule(64);
+        const lobe::gauss_legendre<double> rule(64);
         double integral = 0;
         for (std::size_t i = 0; i < rule.x.size(); ++i) {
             const double t = rule.x[i], mu = t * t * t;

@@ -47,7 +47,7 @@ void for_each_by_cosine(double rho, double r, const G& g) {
 /// turn from v, and crowding towards the lower ends. Within 1e-9 for v.z from 1e-3.
 template <class G>
 double over_hemisphere(double mu, const G& g) {
-    static const lobe::detail::gauss_legendre<double> rule(48);
+    static const lobe::gauss_legendre<double> rule(48);
     const double theta_v = std::acos(mu);
     double total = 0;
     for (const auto& [from, to] : {std::pair{0.0, theta_v}, std::pair{theta_v, pi / 2}})

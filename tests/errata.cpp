@@ -119,7 +119,7 @@ bool is_near_fresnel(const F& reflectance) {
 /// 2 int F u du: exact for polynomials to degree 30.
 template <class F>
 double average(const F& reflectance) {
-    const lobe::detail::gauss_legendre<double> rule(16);
+    const lobe::gauss_legendre<double> rule(16);
     double total = 0;
     for (std::size_t i = 0; i < rule.x.size(); ++i) total += 2 * rule.w[i] * rule.x[i] * reflectance(rule.x[i]);
     return total;

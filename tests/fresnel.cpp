@@ -39,7 +39,7 @@ long double printed_fresnel(long double eta, long double k, long double c) {
 /// 2 int_0^1 F(u) u du by 64 Gauss points.
 template <class F>
 double average_by_quadrature(const F& f) {
-    static const lobe::detail::gauss_legendre<double> rule(64);
+    static const lobe::gauss_legendre<double> rule(64);
     double sum = 0;
     for (std::size_t i = 0; i < rule.x.size(); ++i) sum += 2 * rule.w[i] * rule.x[i] * f(rule.x[i]);
     return sum;

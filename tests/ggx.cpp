@@ -20,7 +20,7 @@ namespace {
 /// r (wx cos phi, wy sin phi), r = tan(chi). Nodes and sums in double; g gets m in T.
 template <class T, class G>
 double normals_integral(const G& g, double wx, double wy) {
-    const lobe::detail::gauss_legendre<double> rule(64);
+    const lobe::gauss_legendre<double> rule(64);
     double total = 0;
     const int azimuths = 64;
     for (int k = 0; k < azimuths; ++k) {
@@ -112,7 +112,7 @@ TEST_CASE("projected_area is the area of the facets that face w", "[ggx]") {
     // sign of w.m changes at a circle-free line, so integrate each azimuth exactly up to it.
     const auto by_definition = [](double ax, double ay, const vec3<double>& w) {
         const ggx ndf{alpha_xy{ax, ay}};
-        const lobe::detail::gauss_legendre<double> rule(48);
+        const lobe::gauss_legendre<double> rule(48);
         double total = 0;
         const double px = ax * w.x, py = ay * w.y, p = std::hypot(px, py);
         for (int quarter = 0; quarter < 4; ++quarter)

@@ -73,7 +73,7 @@ TEST_CASE("the reflectance equation is f E cos, in any space", "[lights]") {
 TEST_CASE("a point light's flux: 2 pi I through a plane, 4 pi I in all", "[lights]") {
     const double height = 0.7;
     const point_light light{vec3<double>{0, 0, height}, 3.0};
-    const lobe::detail::gauss_legendre<double> rule(64);
+    const lobe::gauss_legendre<double> rule(64);
     double flux = 0;
     for (std::size_t i = 0; i < rule.x.size(); ++i) {  // rings of radius h tan(t), t to a right angle
         const double t = pi / 2 * rule.x[i], r = height * std::tan(t);
@@ -178,7 +178,7 @@ TEMPLATE_TEST_CASE("a cone of equal angles has a hard edge", "[lights]", float, 
 TEST_CASE("a cone's solid angle turns lumens into candela", "[lights]") {
     for (const auto& [inner, outer] : {std::pair{0.0, pi / 2}, std::pair{0.3, 0.6}, std::pair{0.001, 0.002}}) {
         const cone<double> angles(inner, outer);
-        const lobe::detail::gauss_legendre<double> rule(32);
+        const lobe::gauss_legendre<double> rule(32);
         double integral = 0;
         for (const auto& [from, to] : {std::pair{0.0, inner}, std::pair{inner, outer}})
             for (std::size_t i = 0; i < rule.x.size(); ++i) {

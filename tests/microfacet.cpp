@@ -99,7 +99,7 @@ TEST_CASE("Schlick's Fresnel: ends, middle, average", "[fresnel]") {
     CHECK(f(0.9) == Catch::Approx(0.0400096));
     CHECK(f.average() == Catch::Approx(0.0857142857142857));
     const schlick dim{vec3<double>{0.5, 0.3, 0.1}, vec3<double>{0.9, 0.8, 0.7}};
-    const lobe::detail::gauss_legendre<double> rule(8);  // exact: a polynomial of degree 6
+    const lobe::gauss_legendre<double> rule(8);  // exact: a polynomial of degree 6
     vec3<double> average(0);
     for (std::size_t i = 0; i < rule.x.size(); ++i) average += 2 * rule.w[i] * rule.x[i] * dim(rule.x[i]);
     CHECK(lobe::length(average - dim.average()) < 1e-15);

@@ -46,7 +46,7 @@ double normalization(const N& ndf, double wx, double wy, double r_max) {
             return ndf.D({x * z, y * z, z}) * z * z * z * z * wx * wy * r * 2 * pi / azimuths;
         };
         if (r_max < 1e300) {
-            const lobe::detail::gauss_legendre<double> rule(200);
+            const lobe::gauss_legendre<double> rule(200);
             const double top = std::atan(r_max);
             for (std::size_t i = 0; i < rule.x.size(); ++i) {
                 const double r = std::tan(top * rule.x[i]);
@@ -310,7 +310,7 @@ TEST_CASE("the projected area of Phong's facets, none of them steeper than 45 de
     for (double a : {0.001, 0.01, 0.1, 0.5, 0.9, 1.0})
         for (double mu : {0.999, 0.9, 0.5, 0.1, 0.001}) {
             const lobe::tabulated ndf{lobe::phong{alpha{a}}};
-            const lobe::detail::gauss_legendre<double> rule(2000);
+            const lobe::gauss_legendre<double> rule(2000);
             const double low = std::asin(mu), high = std::min(pi / 4, low + 12 * a), sine = std::sqrt(1 - mu * mu);
             double back = 0;
             if (low < high)

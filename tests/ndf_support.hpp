@@ -64,7 +64,7 @@ void every_anisotropic(double ax, double ay, const Visit& visit) {
 /// rule after r = r0 + exp((pi/2) sinh t), out to r = 1e48; the azimuths crowd towards those where r0 turns infinite.
 template <class N>
 double area_facing_away(const N& ndf, double wx, double wy, const lobe::vec3<double>& w) {
-    const lobe::detail::gauss_legendre<double> rule(40);
+    const lobe::gauss_legendre<double> rule(40);
     const double px = wx * w.x, py = wy * w.y, p = std::hypot(px, py);
     constexpr int steps = 400;
     double total = 0;

@@ -101,7 +101,7 @@ TEST_CASE("quadrature: glass from both sides agrees with every row of the table"
 TEST_CASE("quadrature: the average albedo of glass from inside, cut at the critical cosine", "[quadrature]") {
     // Against panels of 8 Gauss points that halve towards 0 and towards the critical cosine from both sides: of a smooth surface E has
     // the root of F there. E by order 32, right to 1e-7.
-    const lobe::detail::gauss_legendre<double> rule(8);
+    const lobe::gauss_legendre<double> rule(8);
     for (const double a : {1e-3, 0.02, 0.5})
         for (const double eta : {0.4, 0.75, 0.95}) {
             const lobe::microfacet glass{lobe::ggx{lobe::alpha{a}}, lobe::smith_correlated{}, lobe::dielectric{eta}};

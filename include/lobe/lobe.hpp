@@ -9,6 +9,8 @@
 #include <lobe/core/spectrum.hpp>
 #include <lobe/core/vector.hpp>
 
+#include <lobe/numeric/gauss_legendre.hpp>
+
 #include <lobe/sampling/points.hpp>
 #include <lobe/sampling/warp.hpp>
 

@@ -27,7 +27,7 @@ constexpr T twice_squared_difference_cosine(const vec3<T>& v, const vec3<T>& l) 
 /// Reciprocal, but it makes light: albedo at rho = 1 from 0.488 (r = 0) to 1.56 (r = 1), both at grazing. Rounding: 12 ULP.
 template <class S>
 class burley : public cosine_sampled<burley<S>, S> {
-    using T = detail::component_t<S>;
+    using T = component_t<S>;
 
 public:
     constexpr burley(const S& albedo, const T& roughness) : rho(albedo), r(roughness) {
@@ -54,7 +54,7 @@ private:
 /// Rounding: 12 ULP, or of rho/5 where a factor vanishes (r = 0, grazing).
 template <class S>
 class burley_frostbite : public cosine_sampled<burley_frostbite<S>, S> {
-    using T = detail::component_t<S>;
+    using T = component_t<S>;
 
 public:
     constexpr burley_frostbite(const S& albedo, const T& roughness)

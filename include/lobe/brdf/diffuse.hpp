@@ -15,7 +15,7 @@ namespace lobe {
 /// v, l unit, in tangent space; all is zero unless both are above the horizon. f, pdf in 1/sr.
 template <class Model, class S, class Sampler>
 class diffuse_brdf : exact_vectors<Model> {
-    using T = detail::component_t<S>;
+    using T = component_t<S>;
     using exact = exact_vectors<Model>;
 
 public:

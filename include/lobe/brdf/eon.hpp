@@ -14,7 +14,7 @@ namespace lobe {
 /// Sampled by `backscatter_sampling`: weight at most 1.16 rho. `eon{rho, r, fon_loss{}, cosine_sampling{}}`: 0.78 rho/cos(theta_v).
 template <class S, class Loss = fon_loss, class Sampler = backscatter_sampling>
 class eon : public diffuse_brdf<eon<S, Loss, Sampler>, S, Sampler> {
-    using T = detail::component_t<S>;
+    using T = component_t<S>;
     static_assert(requires(const Loss loss, const vec3<T> w) { { loss(w) } -> std::convertible_to<T>; },
                   "the third part of EON is what FON loses, a callable of a direction; the sampler is the fourth");
 

@@ -84,7 +84,7 @@ public:
         : e(directional_albedo_of_lobe), scale(average_albedo_of_lobe) {
         assert(detail::in_unit_interval(average_albedo_of_lobe) && "reciprocal_coupling: the average albedo must be in [0,1)");
         assert(detail::below_one(average_albedo_of_lobe) && "reciprocal_coupling: the average albedo must be below 1");
-        scale = S(detail::component_t<S>(1)) / detail::rest(average_albedo_of_lobe);
+        scale = S(component_t<S>(1)) / detail::rest(average_albedo_of_lobe);
     }
 
     template <scalar T>

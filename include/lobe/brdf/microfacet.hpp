@@ -18,10 +18,10 @@ concept fresnel_for = distribution<N> && fresnel<F, typename N::scalar>;
 /// Reached by parts that do not fit: says which one, and what to write.
 template <class N, class M, class F, class Sampler = visible_normals>
 class microfacet {
-    static constexpr bool known = distribution<N>, no_area = normal_density<N> && !known, first = known || no_area;
-    static constexpr bool second = masking<M, N> || !known, third = detail::fresnel_for<F, N> || !known;
-    static_assert(!no_area, "microfacet{distribution, masking, Fresnel}: the first part has no closed projected area: write "
-                            "tabulated{...} and keep it, or masked_by{..., ggx{alpha{0.25f}}}");
+    static constexpr bool area = distribution<N> || !normal_density<N>, first = distribution<N> || !area;
+    static constexpr bool second = masking<M, N> || !distribution<N>, third = detail::fresnel_for<F, N> || !distribution<N>;
+    static_assert(area, "these normals have no projected area in closed form: write tabulated{...}, built once, or "
+                        "masked_by{..., ggx{alpha{0.3f}}}");
     static_assert(first, "microfacet{distribution, masking, Fresnel}: the first part is a distribution of normals, ggx{alpha{0.3f}}");
     static_assert(second, "microfacet{distribution, masking, Fresnel}: the second is a masking model for it, smith_correlated{}");
     static_assert(third, "microfacet{distribution, masking, Fresnel}: the third is a callable of v.m in the scalar type of the "

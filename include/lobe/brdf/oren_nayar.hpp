@@ -24,7 +24,7 @@ constexpr T horizontal_dot(const vec3<T>& v, const vec3<T>& l) {
 /// Sampled by `backscatter_sampling`: weight at most 1.06 rho. `oren_nayar{rho, sigma, cosine_sampling{}}`: 0.44 rho/cos(theta_v).
 template <class S, class Sampler = backscatter_sampling>
 class oren_nayar : public diffuse_brdf<oren_nayar<S, Sampler>, S, Sampler> {
-    using T = detail::component_t<S>;
+    using T = component_t<S>;
 
 public:
     constexpr oren_nayar(const S& albedo, const T& sigma, const Sampler& = {})
@@ -114,7 +114,7 @@ struct fon_loss_fit {
 /// Sampled by `backscatter_sampling`: weight at most 1.04 rho. `fon{rho, r, cosine_sampling{}}`: 0.78 rho/cos(theta_v).
 template <class S, class Sampler = backscatter_sampling>
 class fon : public diffuse_brdf<fon<S, Sampler>, S, Sampler> {
-    using T = detail::component_t<S>;
+    using T = component_t<S>;
 
 public:
     constexpr fon(const S& albedo, const T& roughness, const Sampler& = {}) : rho(albedo), facets(roughness) {

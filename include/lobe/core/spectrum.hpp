@@ -5,7 +5,9 @@
 
 #include <limits>
 
-namespace lobe::detail {
+namespace lobe {
+
+namespace detail {
 
 template <class S>
 struct component {
@@ -21,9 +23,13 @@ struct component<S> {
     using type = typename S::value_type;
 };
 
+}  // namespace detail
+
 /// The number that a spectrum consists of: T for T and for vec3<T>, `value_type` of a type of the user's own, else double.
 template <class S>
-using component_t = typename component<S>::type;
+using component_t = typename detail::component<S>::type;
+
+namespace detail {
 
 /// May a formula ask a spectrum S for a cosine of type T? Numbers, vectors and types that name their `value_type` want that type: C++
 /// and GLM would convert any other without a word. A type of the user's own that names none is taken at its word.
@@ -87,4 +93,6 @@ constexpr int digits() {
     return limits::is_specialized ? limits::digits : 53;
 }
 
-}  // namespace lobe::detail
+}  // namespace detail
+
+}  // namespace lobe

@@ -93,7 +93,7 @@ auto average_albedo(const B& b, const quadrature& options = {}) {
     assert((options.order == 0 || options.order >= 2) && "average_albedo: order must be at least 2, or 0");
     int evaluations = 0;
     const auto at_order = [&](int order) {
-        const detail::gauss_legendre<W> rule(order);
+        const gauss_legendre<W> rule(order);
         WS total(W(0));
         detail::for_each_lobe(b, [&](const auto& lobe) {
             const auto creases = detail::creases_of(lobe);

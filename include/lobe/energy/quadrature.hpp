@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lobe/core/spectrum.hpp>
+#include <lobe/numeric/gauss_legendre.hpp>
 
 #include <algorithm>
 #include <array>
@@ -34,35 +35,6 @@ struct quadrature {
 };
 
 namespace detail {
-
-/// Gauss-Legendre nodes and weights on [0,1], by Newton's method from Tricomi's first guess. Scalar types only.
-template <scalar T>
-struct gauss_legendre {
-    std::vector<T> x, w;
-
-    explicit gauss_legendre(int n) : x(static_cast<std::size_t>(n)), w(static_cast<std::size_t>(n)) {
-        using std::abs;
-        for (int i = 0; i < (n + 1) / 2; ++i) {
-            T z(std::cos(3.141592653589793 * (i + 0.75) / (n + 0.5)));
-            T slope(0), step(1);
-            for (int iteration = 0; iteration < 50 && abs(step) > T(2) * std::numeric_limits<T>::epsilon(); ++iteration) {
-                T p(1), previous(0);
-                for (int k = 0; k < n; ++k) {
-                    const T next = z * p + (z * p - previous) * (T(k) / T(k + 1));
-                    previous = p;
-                    p = next;
-                }
-                slope = T(n) * (z * p - previous) / (z * z - T(1));
-                step = p / slope;
-                z -= step;
-            }
-            const auto low = static_cast<std::size_t>(i), high = static_cast<std::size_t>(n - 1 - i);
-            x[low] = (T(1) - z) / T(2);
-            x[high] = (T(1) + z) / T(2);
-            w[low] = w[high] = T(1) / ((T(1) - z * z) * slope * slope);
-        }
-    }
-};
 
 /// The size of a spectrum, for comparing: its largest component.
 template <scalar T>

@@ -18,7 +18,7 @@ namespace lobe {
 /// (float, eta = 1e-3: 3.6e-4).
 template <class S>
 class dielectric {
-    using T = detail::component_t<S>;
+    using T = component_t<S>;
 
 public:
     using scalar = T;

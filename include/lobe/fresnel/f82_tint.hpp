@@ -15,7 +15,7 @@ namespace lobe {
 /// The clamp acts for 7.6 % of all (F0, t), only where t <= 0.51; unclamped F falls to -0.127.
 template <class S>
 class f82_tint {
-    using T = detail::component_t<S>;
+    using T = component_t<S>;
 
 public:
     using scalar = T;

@@ -32,14 +32,14 @@ public:
 
     /// 2 int_0^1 F(u) u du = (20 F0 + F90)/21.
     constexpr S average() const {
-        using T = detail::component_t<S>;
+        using T = component_t<S>;
         return f0 * (T(20) / T(21)) + F90() * (T(1) / T(21));
     }
 
     constexpr S F0() const { return f0; }
     constexpr S F90() const {
         if constexpr (std::same_as<Grazing, unit>)
-            return S(detail::component_t<S>(1));
+            return S(component_t<S>(1));
         else
             return f90;
     }
@@ -57,7 +57,7 @@ struct perfect_reflector {
     constexpr S operator()(const T&) const {
         return average();
     }
-    constexpr S average() const { return S(detail::component_t<S>(1)); }
+    constexpr S average() const { return S(component_t<S>(1)); }
 };
 template <>
 struct perfect_reflector<void> {

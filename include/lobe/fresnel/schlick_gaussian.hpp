@@ -26,7 +26,7 @@ public:
 
     /// 2 int_0^1 F(u) u du = F0 + 0.0488637... (F90 - F0): Schlick's 1/21 is 0.0476190.
     constexpr S average() const {
-        return f0 + (grazing() - f0) * detail::constant<detail::component_t<S>>(0.04886370755848758);
+        return f0 + (grazing() - f0) * detail::constant<component_t<S>>(0.04886370755848758);
     }
 
     constexpr S F0() const { return f0; }

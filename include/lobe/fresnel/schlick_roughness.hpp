@@ -13,7 +13,7 @@ namespace lobe {
 /// F0 <= F <= max(1 - r, F0). `average()` is exact. Rounding: 8 ULP.
 template <class S>
 class schlick_roughness : public schlick<S, S> {
-    using T = detail::component_t<S>;
+    using T = component_t<S>;
 
 public:
     constexpr schlick_roughness(const S& reflectance_0, const T& roughness)
