@@ -25,7 +25,7 @@ struct by_quadrature : Shape {
 template <class T>
 struct prebuilt {
     template <class Shape>
-    using with_area = std::conditional_t<std::same_as<T, float>, lobe::tabulated<Shape, T>, by_quadrature<Shape>>;
+    using with_area = std::conditional_t<std::same_as<T, float>, lobe::tabulated_shape<Shape, T>, by_quadrature<Shape>>;
     template <class Shape>
     using tabulated = lobe::radial<with_area<Shape>, lobe::alpha<T>>;
 

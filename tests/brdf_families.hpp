@@ -84,7 +84,7 @@ void every_family(const Visit& visitor) {
     visit("beckmann, two widths", [=](R r) { return microfacet{beckmann{r.widths()}, sep, mirror}; });
     visit("beckmann_walter", [=](R r) { return microfacet{beckmann_walter{r.width()}, sep, r.gloss()}; });
     visit("blinn_phong", [=](R r) { return microfacet{blinn_phong{r.width()}, hc, mirror}; });
-    visit("phong", [=](R r) { return microfacet{phong{alpha<T>(r.log(0.01, 0.7))}, hc, mirror}; });
+    visit("phong", [=](R r) { return microfacet{tabulated{phong{alpha<T>(r.log(0.01, 0.7))}}, hc, mirror}; });
     visit("student_t", [=](R r) {
         const auto a = r.width();
         return microfacet{student_t{a, r.between(1.6, 10)}, hc, mirror};
@@ -99,23 +99,23 @@ void every_family(const Visit& visitor) {
     });
     visit("gtr", [=](R r) {
         const auto a = r.width();
-        return microfacet{gtr{a, r.between(1, 3)}, hc, mirror};
+        return microfacet{tabulated{gtr{a, r.between(1, 3)}}, hc, mirror};
     });
     visit("exponential_power", [=](R r) {
         const auto a = r.width();
-        return microfacet{exponential_power{a, r.between(0.3, 4)}, hc, mirror};
+        return microfacet{tabulated{exponential_power{a, r.between(0.3, 4)}}, hc, mirror};
     });
     visit("exponential_power, two widths", [=](R r) {
         const auto a = r.widths();
-        return microfacet{exponential_power{a, r.between(0.3, 4)}, hc, mirror};
+        return microfacet{tabulated{exponential_power{a, r.between(0.3, 4)}}, hc, mirror};
     });
     visit("abc", [=](R r) {
         const auto a = r.width();
-        return microfacet{abc{a, r.between(0.2, 3)}, hc, mirror};
+        return microfacet{tabulated{abc{a, r.between(0.2, 3)}}, hc, mirror};
     });
     visit("sgd", [=](R r) {
         const auto a = r.width();
-        return microfacet{sgd{a, r.between(0.3, 2)}, hc, mirror};
+        return microfacet{tabulated{sgd{a, r.between(0.3, 2)}}, hc, mirror};
     });
     visit("mixture", [=](R r) {
         const auto a = r.width(), b = r.width();

@@ -210,7 +210,7 @@ TEST_CASE("compositions: weight * pdf is f_cos, and weights add up to the albedo
             expect_consistent_sampling(sum{weighted{0.3, gloss(a, 0.5)}, weighted{0.7, gloss(0.4, 0.5)}, lambert{0.2}}, v, 5e-4);
             expect_consistent_sampling(lobe::coated(lobe::metallic_roughness(0.6, 0.4, alpha{0.3}), ggx{alpha{a}}, 0.8), v, 5e-4);
         }
-    expect_consistent_sampling(lobe::coated(lobe::eon{0.8, 0.5}, lobe::gtr{alpha{0.1}, 1.0}, 0.25), view(0.4), 5e-4);
+    expect_consistent_sampling(lobe::coated(lobe::eon{0.8, 0.5}, lobe::tabulated{lobe::gtr{alpha{0.1}, 1.0}}, 0.25), view(0.4), 5e-4);
 }
 
 TEST_CASE("compositions: each lobe's part of the square has its share of the pdf as Jacobian", "[layered]") {
@@ -354,7 +354,7 @@ TEST_CASE("Disney's clear coat", "[layered]") {
     // The F = 1 furnace of GTR1 under a GGX masking of alpha 0.25 makes light; GTR1 under its own does not
     const lobe::gtr gtr1{alpha{0.1}, 1.0};
     const microfacet disney{lobe::masked_by{gtr1, ggx{alpha{0.25}}}, lobe::smith_separable{}, lobe::perfect_reflector{}};
-    const microfacet smith{gtr1, smith_correlated{}, lobe::perfect_reflector{}};
+    const microfacet smith{lobe::tabulated{gtr1}, smith_correlated{}, lobe::perfect_reflector{}};
     const double printed[][2] = {{1, 0.81}, {0.5, 0.85}, {0.1, 1.14}};
     for (const auto& [mu, E] : printed) {
         CHECK(std::abs(lobe::directional_albedo(disney, mu).value - E) < 0.006);

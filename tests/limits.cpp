@@ -64,9 +64,9 @@ void every_brdf(T a, const Visit& visit) {
     visit("beckmann", microfacet{beckmann{width}, smith_correlated{}, F});
     visit("beckmann, all normals", microfacet{beckmann{width}, smith_correlated{}, F, lobe::all_normals{}});
     visit("student_t", microfacet{lobe::student_t{width, T(3)}, smith_correlated{}, F});
-    visit("gtr", microfacet{lobe::gtr{width, T(1)}, smith_correlated{}, F});
+    visit("gtr", microfacet{lobe::tabulated{lobe::gtr{width, T(1)}}, smith_correlated{}, F});
     visit("student_t, long tails", microfacet{lobe::student_t{width, T(1.6)}, smith_correlated{}, F, lobe::all_normals{}});
-    visit("abc", microfacet{lobe::abc{width, T(1.5)}, smith_correlated{}, F, lobe::all_normals{}});
+    visit("abc", microfacet{lobe::tabulated{lobe::abc{width, T(1.5)}}, smith_correlated{}, F, lobe::all_normals{}});
     visit("mixture", microfacet{lobe::mixture{ggx{width}, beckmann{width}, T(0.3)}, smith_correlated{}, F});
     visit("dielectric", microfacet{ggx{width}, smith_correlated{}, lobe::dielectric{T(1.5)}});
     visit("dielectric from inside", microfacet{ggx{width}, smith_correlated{}, lobe::dielectric{T(0.5)}});
@@ -472,7 +472,7 @@ TEMPLATE_TEST_CASE("limits: directions that are not unit at all", "[limits]", fl
     homogeneous("ggx, anisotropic", ggx{alpha_xy<T>(T(0.1), T(0.7))});
     homogeneous("beckmann", beckmann{a});
     homogeneous("student_t", lobe::student_t{a, T(3)});
-    homogeneous("gtr", lobe::gtr{a, T(1.5)});
+    homogeneous("gtr", lobe::tabulated{lobe::gtr{a, T(1.5)}});
     homogeneous("blinn_phong", lobe::blinn_phong{a});
     homogeneous("mixture", lobe::mixture{ggx{a}, beckmann{a}, T(0.25)});
     // A tangent of any length, a normal of none but 1

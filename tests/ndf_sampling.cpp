@@ -97,13 +97,13 @@ TEST_CASE("samples of visible normals have the density they state", "[ndf]") {
         compare(lobe::student_t{alpha_xy{a, 0.3}, 4.0}, a, 0.3, 20);
         compare(lobe::hyper_cauchy{alpha_xy{a, 0.3}, 2.5}, a / std::sqrt(1.5), 0.3 / std::sqrt(1.5), 20);
         compare(lobe::blinn_phong{alpha{a}}, a, a, 20);
-        compare(lobe::exponential_power{alpha{a}, 0.5}, a, a, 20);
-        compare(lobe::exponential_power{alpha_xy{a, 0.3}, 2.0}, a, 0.3, 20);
-        compare(lobe::gtr{alpha{a}, 1.0}, a, a, 20);
-        compare(lobe::gtr{alpha{a}, 3.0}, a, a, 20);
-        compare(lobe::abc{alpha{a}, 1.5}, a, a, 20);
-        compare(lobe::sgd{alpha{a}, 1.5}, a, a, 20);
-        compare(lobe::phong{alpha{a}}, a, a, 20);
+        compare(lobe::tabulated{lobe::exponential_power{alpha{a}, 0.5}}, a, a, 20);
+        compare(lobe::tabulated{lobe::exponential_power{alpha_xy{a, 0.3}, 2.0}}, a, 0.3, 20);
+        compare(lobe::tabulated{lobe::gtr{alpha{a}, 1.0}}, a, a, 20);
+        compare(lobe::tabulated{lobe::gtr{alpha{a}, 3.0}}, a, a, 20);
+        compare(lobe::tabulated{lobe::abc{alpha{a}, 1.5}}, a, a, 20);
+        compare(lobe::tabulated{lobe::sgd{alpha{a}, 1.5}}, a, a, 20);
+        compare(lobe::tabulated{lobe::phong{alpha{a}}}, a, a, 20);
     }
     // SGGX, from anywhere
     for (int i = 0; i < 20; ++i) {
@@ -134,13 +134,13 @@ TEST_CASE("samples at the corners of the square are unit and face the viewer", "
         expect_sound(lobe::beckmann{alpha{a}});
         expect_sound(lobe::student_t{alpha{a}, 1.75f});
         expect_sound(lobe::blinn_phong{alpha{std::max(a, 0.001f)}});
-        expect_sound(lobe::exponential_power{alpha{a}, 0.5f});
-        expect_sound(lobe::exponential_power{alpha{a}, 3.0f});
-        expect_sound(lobe::gtr{alpha{a}, 1.0f});
-        expect_sound(lobe::gtr{alpha{a}, 4.0f});
-        expect_sound(lobe::abc{alpha{a}, 0.7f});
-        expect_sound(lobe::sgd{alpha{a}, 2.0f});
-        expect_sound(lobe::phong{alpha{a}});
+        expect_sound(lobe::tabulated{lobe::exponential_power{alpha{a}, 0.5f}});
+        expect_sound(lobe::tabulated{lobe::exponential_power{alpha{a}, 3.0f}});
+        expect_sound(lobe::tabulated{lobe::gtr{alpha{a}, 1.0f}});
+        expect_sound(lobe::tabulated{lobe::gtr{alpha{a}, 4.0f}});
+        expect_sound(lobe::tabulated{lobe::abc{alpha{a}, 0.7f}});
+        expect_sound(lobe::tabulated{lobe::sgd{alpha{a}, 2.0f}});
+        expect_sound(lobe::tabulated{lobe::phong{alpha{a}}});
         expect_sound(lobe::mixture{lobe::ggx{alpha{a}}, lobe::beckmann{alpha{a}}, 0.5f});
     }
 }
@@ -165,15 +165,15 @@ TEST_CASE("a microfacet of any distribution returns at most what it receives, an
             expect_energy(with(lobe::mixture{lobe::ggx{alpha{a}}, lobe::beckmann{alpha{a / 2}}, 0.3}), v, 1u << 16, 3e-4);
             expect_energy(with(lobe::student_t{alpha{a}, 3.0}), v, 1u << 11, 5e-3);
             expect_energy(with(lobe::hyper_cauchy{alpha_xy{a, 0.3}, 3.0}), v, 1u << 11, 5e-3);
-            expect_energy(with(lobe::exponential_power{alpha{a}, 0.5}), v, 1u << 11, 5e-3);
+            expect_energy(with(lobe::tabulated{lobe::exponential_power{alpha{a}, 0.5}}), v, 1u << 11, 5e-3);
             expect_energy(with(lobe::blinn_phong{alpha{a}}), v, 1u << 11, 5e-3);
-            expect_energy(with(lobe::gtr{alpha{a}, 1.0}), v, 1u << 11, 5e-3);
-            expect_energy(with(lobe::abc{alpha{a}, 1.5}), v, 1u << 11, 5e-3);
-            expect_energy(with(lobe::sgd{alpha{a}, 1.5}), v, 1u << 11, 5e-3);
-            expect_energy(with(lobe::phong{alpha{a}}), v, 1u << 11, 5e-3);
+            expect_energy(with(lobe::tabulated{lobe::gtr{alpha{a}, 1.0}}), v, 1u << 11, 5e-3);
+            expect_energy(with(lobe::tabulated{lobe::abc{alpha{a}, 1.5}}), v, 1u << 11, 5e-3);
+            expect_energy(with(lobe::tabulated{lobe::sgd{alpha{a}, 1.5}}), v, 1u << 11, 5e-3);
+            expect_energy(with(lobe::tabulated{lobe::phong{alpha{a}}}), v, 1u << 11, 5e-3);
             // all normals: weights grow towards grazing angles
             if (mu > 0.5) {
-                expect_energy(all_of(lobe::gtr{alpha{a}, 1.0}), v, 1u << 16, 2e-3);
+                expect_energy(all_of(lobe::tabulated{lobe::gtr{alpha{a}, 1.0}}), v, 1u << 16, 2e-3);
                 expect_energy(all_of(lobe::beckmann_walter{alpha{a}}), v, 1u << 16, 2e-3, false);
                 expect_energy(all_of(lobe::masked_by{lobe::phong{alpha{a}}, lobe::ggx{alpha{a}}}), v, 1u << 16, 2e-3, false);
                 expect_energy(all_of(lobe::masked_by{lobe::blinn_phong{alpha{a}}, lobe::beckmann{alpha{a}}}), v, 1u << 16, 2e-3, false);

@@ -38,12 +38,12 @@ void every_isotropic(double a, const Visit& visit) {
     visit("beckmann", lobe::beckmann{width}, closed_error);
     for (double g : {1.6, 1.75, 2.0, 3.0, 10.0, 40.0}) visit(name("student_t", g), lobe::student_t{width, g}, closed_error);
     for (double g : {1.75, 3.0, 8.0}) visit(name("hyper_cauchy", g), lobe::hyper_cauchy{width, g}, closed_error);
-    for (double p : {0.25, 0.5, 1.0, 2.0, 4.0}) visit(name("exponential_power", p), lobe::exponential_power{width, p}, exponential_power_table_error);
+    for (double p : {0.25, 0.5, 1.0, 2.0, 4.0}) visit(name("exponential_power", p), lobe::tabulated{lobe::exponential_power{width, p}}, exponential_power_table_error);
     visit("blinn_phong", lobe::blinn_phong{width}, closed_error);
-    for (double g : {0.5, 1.0, 1.5, 2.0, 3.0, 5.0}) visit(name("gtr", g), lobe::gtr{width, g}, table_error);
-    for (double c : {0.5, 1.0, 2.0, 3.0, 10.0}) visit(name("abc", c), lobe::abc{width, c}, table_error);
-    for (double p : {0.0, 0.5, 1.0, 2.0, 4.0}) visit(name("sgd", p), lobe::sgd{width, p}, table_error);
-    visit("phong", lobe::phong{width}, phong_table_error);
+    for (double g : {0.5, 1.0, 1.5, 2.0, 3.0, 5.0}) visit(name("gtr", g), lobe::tabulated{lobe::gtr{width, g}}, table_error);
+    for (double c : {0.5, 1.0, 2.0, 3.0, 10.0}) visit(name("abc", c), lobe::tabulated{lobe::abc{width, c}}, table_error);
+    for (double p : {0.0, 0.5, 1.0, 2.0, 4.0}) visit(name("sgd", p), lobe::tabulated{lobe::sgd{width, p}}, table_error);
+    visit("phong", lobe::tabulated{lobe::phong{width}}, phong_table_error);
     visit("mixture", lobe::mixture{lobe::ggx{width}, lobe::beckmann{lobe::alpha{a / 2}}, 0.3}, closed_error);
 }
 
@@ -55,7 +55,7 @@ void every_anisotropic(double ax, double ay, const Visit& visit) {
     visit("beckmann", lobe::beckmann{width}, closed_error);
     for (double g : {1.75, 3.0}) visit("student_t", lobe::student_t{width, g}, closed_error);
     visit("hyper_cauchy", lobe::hyper_cauchy{width, 2.5}, closed_error);
-    for (double p : {0.5, 2.0}) visit("exponential_power", lobe::exponential_power{width, p}, exponential_power_table_error);
+    for (double p : {0.5, 2.0}) visit("exponential_power", lobe::tabulated{lobe::exponential_power{width, p}}, exponential_power_table_error);
     visit("mixture", lobe::mixture{lobe::beckmann{width}, lobe::ggx{lobe::alpha_xy{ay, ax}}, 0.3}, closed_error);
 }
 

@@ -42,7 +42,7 @@ void all() {
     print_brdf("brushed", lobe::microfacet{lobe::ggx{alpha_xy{T(0.1), T(0.4)}}, smith, lobe::f82_tint{gold, vec3{T(0.9)}}});
     print_brdf("beckmann", lobe::microfacet{lobe::beckmann{alpha{T(0.3)}}, lobe::v_cavity{}, lobe::schlick{T(0.04)}});
     print_brdf("student_t", lobe::microfacet{lobe::student_t{alpha{T(0.3)}, T(2.5)}, smith, lobe::dielectric{T(1.5)}});
-    print_brdf("gtr", lobe::microfacet{lobe::gtr{alpha{T(0.3)}, T(1)}, smith, lobe::conductor{gold, vec3{T(2), T(3), T(4)}}});
+    print_brdf("gtr", lobe::microfacet{lobe::tabulated{lobe::gtr{alpha{T(0.3)}, T(1)}}, smith, lobe::conductor{gold, vec3{T(2), T(3), T(4)}}});
     print_brdf("eon", lobe::eon{gold, T(0.7)});
     print_brdf("burley", lobe::burley{gold, T(0.7)});
     print_brdf("glTF", lobe::metallic_roughness(gold, T(0.3), alpha{T(0.2)}));

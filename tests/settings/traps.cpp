@@ -178,19 +178,19 @@ void distributions(const inputs<T>& in) {
         distribution("hyper_cauchy" + of, lobe::hyper_cauchy{width, T(2.5)}, in, 61);
         if (a < T(1e-4)) continue;  // tables
         quietly("tables of projected areas" + of, [&] {
-            const lobe::gtr gtr{width, T(1)};
-            const lobe::abc abc{width, T(1.5)};
-            const lobe::sgd sgd{width, T(1)};
-            const lobe::phong phong{width};
-            const lobe::exponential_power power{width, T(1.5)};
+            const lobe::tabulated gtr{lobe::gtr{width, T(1)}};
+            const lobe::tabulated abc{lobe::abc{width, T(1.5)}};
+            const lobe::tabulated sgd{lobe::sgd{width, T(1)}};
+            const lobe::tabulated phong{lobe::phong{width}};
+            const lobe::tabulated power{lobe::exponential_power{width, T(1.5)}};
             keep(gtr), keep(abc), keep(sgd), keep(phong), keep(power);
         });
-        for (const T gamma : {T(1), T(1.5), T(2)}) distribution("gtr" + of, lobe::gtr{width, gamma}, in, 301);
+        for (const T gamma : {T(1), T(1.5), T(2)}) distribution("gtr" + of, lobe::tabulated{lobe::gtr{width, gamma}}, in, 301);
         if (a >= T(0.01)) distribution("blinn_phong" + of, lobe::blinn_phong{width}, in, 301);
-        distribution("phong" + of, lobe::phong{width}, in, 301);
-        distribution("abc" + of, lobe::abc{width, T(1.5)}, in, 301);
-        distribution("sgd" + of, lobe::sgd{width, T(1)}, in, 301);
-        for (const T p : {T(0.5), T(2)}) distribution("exponential_power" + of, lobe::exponential_power{width, p}, in, 301);
+        distribution("phong" + of, lobe::tabulated{lobe::phong{width}}, in, 301);
+        distribution("abc" + of, lobe::tabulated{lobe::abc{width, T(1.5)}}, in, 301);
+        distribution("sgd" + of, lobe::tabulated{lobe::sgd{width, T(1)}}, in, 301);
+        for (const T p : {T(0.5), T(2)}) distribution("exponential_power" + of, lobe::tabulated{lobe::exponential_power{width, p}}, in, 301);
     }
 }
 

@@ -144,13 +144,13 @@ public:
 
 /// A clear coat over any BRDF: base f (1 - w) + w coat f, w = weight F(n.v), F Schlick's with F0 = 0.04, the coat's facets mirrors. glTF
 /// KHR_materials_clearcoat (Khronos 2020), "Layering", which takes F at n.v and not at v.h so that the two shares add up to 1.
-/// `coat`: the coat's normals, `ggx{a}` or, for the long tail of Burley 2012, `gtr{alpha(lerp(0.1, 0.001, gloss)), 1}`; weight in [0,1].
-/// Both with the masking that belongs to them. Disney's coat is GTR1 masked by a GGX of alpha 0.25, whatever its own
+/// `coat`: the coat's normals, `ggx{a}` or, for the long tail of Burley 2012, `tabulated{gtr{alpha(lerp(0.1, 0.001, gloss)), 1}}`;
+/// weight in [0,1]. Both with the masking that belongs to them. Disney's coat is GTR1 masked by a GGX of alpha 0.25, whatever its own
 /// width, which is not Smith's: its F = 1 furnace is 0.81, 0.85, 1.14 at mu 1, 0.5, 0.1 (alpha 0.1), and its energy is safe
 /// only because it is scaled by F and a weight of 1/4. (`masked_by{gtr{a, 1}, ggx{alpha(0.25)}}` is it, with `smith_separable`.)
 /// Not reciprocal. Over a white base, weight 1, the total albedo is at most 1 and at least 0.853 (GGX, alpha 1, mu 0.12): what is missing
 /// is what a rough coat's own facets lose by single scattering.
-template <brdf Base, distribution N>
+template <brdf Base, normal_density N>
 constexpr auto coated(const Base& base, const N& coat, const typename Base::scalar& weight) {
     using T = typename Base::scalar;
     using S = typename Base::spectrum;

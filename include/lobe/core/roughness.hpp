@@ -118,6 +118,8 @@ concept width_type = scalar<typename W::scalar> && requires(const W width, const
     { width.unstretch(w) } -> std::same_as<vec3<typename W::scalar>>;
     { width.density_ratio(w) } -> std::same_as<typename W::scalar>;
 };
+template <class W>
+concept one_width_type = width_type<W> && W::isotropic;
 template <class N>
 concept number_type = scalar<N> || std::integral<N>;
 
@@ -128,6 +130,14 @@ struct bare_number : alpha<T> {
     template <number_type N>
     constexpr bare_number(const N&) : alpha<T>(T(1)) {
         static_assert(!scalar<T>, "a bare number is no width: write alpha{0.3f}, or alpha<float>::from_roughness(r)");
+    }
+};
+
+/// ... and what one that cannot be stretched has for an `alpha_xy`.
+template <scalar T>
+struct two_widths : alpha<T> {
+    constexpr two_widths(const alpha_xy<T>& widths) : alpha<T>(widths.x()) {
+        static_assert(!scalar<T>, "this family of distributions is not shape-invariant: it has one width, alpha, and no alpha_xy");
     }
 };
 

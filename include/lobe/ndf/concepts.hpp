@@ -52,11 +52,22 @@ struct written_with<W, P> {
     using width = bare_number<number>;
 };
 
+template <class W>
+struct unstretched {
+    using type = W;
+};
+template <scalar T>
+struct unstretched<alpha_xy<T>> {
+    using type = two_widths<T>;
+};
+
 /// For deduction guides.
 template <class W, class P = int>
 using number_t = typename written_with<W, P>::number;
 template <class W, class P = int>
 using width_t = typename written_with<W, P>::width;
+template <class W, class P = int>
+using one_width_t = typename unstretched<width_t<W, P>>::type;
 
 template <class Width, scalar T>
 struct width_in {
@@ -67,14 +78,6 @@ struct width_in {
 /// The width of a distribution whose other parameters are T.
 template <class Width, scalar T>
 using width_in_t = typename width_in<Width, T>::type;
-
-template <class Width, scalar T>
-struct one_width_in : width_in<Width, T> {
-    static_assert(Width::isotropic, "this family of distributions is not shape-invariant: it has one width, alpha, and no alpha_xy");
-};
-/// ... of one that cannot be stretched.
-template <class Width, scalar T>
-using one_width_in_t = typename one_width_in<Width, T>::type;
 
 /// The projected area from a direction above the horizon: by the distribution's shorter form, if it has one.
 template <distribution N, class T = typename N::scalar>

@@ -75,7 +75,8 @@ private:
 template <scalar T, detail::width_type Width = alpha<T>>
 class exponential_power : public radial<exponential_power_shape<T>, detail::width_in_t<Width, T>> {
 public:
-    constexpr exponential_power(const Width& width, const T& p) : radial<exponential_power_shape<T>, Width>(exponential_power_shape<T>(p), width) {}
+    constexpr exponential_power(const Width& width, const T& p)
+        : radial<exponential_power_shape<T>, Width>(exponential_power_shape<T>(p), width) {}
 };
 template <class W, class P>
 exponential_power(W, P) -> exponential_power<detail::number_t<W, P>, detail::width_t<W, P>>;

@@ -72,15 +72,15 @@ private:
 /// mirror of such facets is Phong's own lobe (r.v)^n, r.v = cos 2 theta_m. Phong 1975, "Illumination for Computer Generated Pictures",
 /// gave the lobe and no surface; this is the one that has it, normalised. Its facets are tilted by less than 45 degrees, at alpha = 1
 /// evenly up to there. Practice pairs it with another's masking: `masked_by{phong{a}, ggx{a}}`. Not shape-invariant: only `alpha`.
-/// Domain: 0 < alpha <= 1 (n >= 0). D in 1/sr. No closed projected area: `tabulated` or `masked_by`. Error of D: 10 (1 + |ln(D pi alpha^2)|) / cos(2 theta_m) ULP; of the
-/// projected area: 3e-5 of that along the horizon.
-template <scalar T, detail::width_type Width = alpha<T>>
-class phong : public radial<phong_shape<T>, detail::one_width_in_t<Width, T>> {
+/// Domain: 0 < alpha <= 1 (n >= 0). D in 1/sr. No closed projected area: `tabulated` or `masked_by`. Error of D:
+/// 10 (1 + |ln(D pi alpha^2)|) / cos(2 theta_m) ULP; of the projected area: 3e-5 of that along the horizon.
+template <scalar T, detail::one_width_type Width = alpha<T>>
+class phong : public radial<phong_shape<T>, detail::width_in_t<Width, T>> {
 public:
     constexpr explicit phong(const Width& width) : radial<phong_shape<T>, Width>(phong_shape<T>(width.x()), width) {}
     static constexpr phong from_exponent(const T& n) { return phong(alpha_from_phong_exponent(n)); }
 };
 template <class W>
-phong(W) -> phong<detail::number_t<W>, detail::width_t<W>>;
+phong(W) -> phong<detail::number_t<W>, detail::one_width_t<W>>;
 
 }  // namespace lobe

@@ -64,12 +64,12 @@ private:
 /// only. No closed projected area: `tabulated` or `masked_by`. Error of D for alpha <= 1, p <= 9:
 /// 10 (1 + |ln(D pi alpha^2)|) ULP, in double relative 1e-14 (that of Gamma(1-p, alpha)) more; of the projected area: 3e-6 of that
 /// along the horizon for p <= 4, and at alpha = 1e-4, where it is largest, 3e-5 for p = 9.
-template <scalar T, detail::width_type Width = alpha<T>>
-class sgd : public radial<sgd_shape<T>, detail::one_width_in_t<Width, T>> {
+template <scalar T, detail::one_width_type Width = alpha<T>>
+class sgd : public radial<sgd_shape<T>, detail::width_in_t<Width, T>> {
 public:
     constexpr sgd(const Width& width, const T& p) : radial<sgd_shape<T>, Width>(sgd_shape<T>(width.x(), p), width) {}
 };
 template <class W, class P>
-sgd(W, P) -> sgd<detail::number_t<W, P>, detail::width_t<W, P>>;
+sgd(W, P) -> sgd<detail::number_t<W, P>, detail::one_width_t<W, P>>;
 
 }  // namespace lobe

@@ -1,0 +1,32 @@
+# cmake -DCOMPILER=path -DINCLUDES="a;b" -DFILE=file.cpp -DWORK=directory -P readable.cmake
+# The first error that the compiler finds in FILE is the sentence behind "// error: " in its first line, in at most 12 lines of output: and so
+# when the first of what it lists behind "// of: " is replaced by each of the others.
+file(STRINGS ${FILE} first LIMIT_COUNT 1)
+string(REGEX REPLACE "^// error: " "" sentence "${first}")
+file(STRINGS ${FILE} cases REGEX "^// of: ")
+list(TRANSFORM cases REPLACE "^// of: |;$" "")
+string(REPLACE "; " ";" cases "${cases}")
+list(GET cases 0 original)
+file(READ ${FILE} text)
+list(TRANSFORM INCLUDES PREPEND "-I")
+get_filename_component(name ${FILE} NAME)
+
+set(failed 0)
+foreach(case IN LISTS cases)
+    string(REPLACE "${original}" "${case}" changed "${text}")
+    file(WRITE ${WORK}/${name} "${changed}")
+    execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -w ${INCLUDES} ${WORK}/${name}
+        RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    string(REGEX MATCHALL "\n" ends "${output}")
+    list(LENGTH ends lines)
+    string(REGEX MATCH "error: [^\n]*" error "${output}")
+    string(FIND "${error}" "${sentence}" found)
+    message(STATUS "${case}: ${lines} lines")
+    if(result EQUAL 0 OR found EQUAL -1 OR lines GREATER 12)
+        message("${output}")
+        set(failed 1)
+    endif()
+endforeach()
+if(failed)
+    message(FATAL_ERROR "not the first error, in at most 12 lines: ${sentence}")
+endif()
