@@ -6,7 +6,7 @@
 #include <lobe/energy/random_walk.hpp>
 #include <lobe/fresnel/ior.hpp>
 #include <lobe/lights/punctual.hpp>
-#include <lobe/ndf/antialiasing.hpp>
+#include <lobe/width/antialiasing.hpp>
 #include <lobe/ndf/blinn_phong.hpp>
 
 namespace {

@@ -3,7 +3,7 @@
 
 #include <lobe/core/frame.hpp>
 #include <lobe/energy/quadrature.hpp>
-#include <lobe/ndf/antialiasing.hpp>
+#include <lobe/width/antialiasing.hpp>
 #include <lobe/ndf/ggx.hpp>
 
 #include <xsimd/xsimd.hpp>

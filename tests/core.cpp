@@ -2,7 +2,7 @@
 #include "support.hpp"
 
 #include <lobe/core/frame.hpp>
-#include <lobe/core/roughness.hpp>
+#include <lobe/width/alpha.hpp>
 
 #include <bit>
 

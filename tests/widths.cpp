@@ -1,7 +1,7 @@
 #include "catch.hpp"
 #include "support.hpp"
 
-#include <lobe/core/roughness.hpp>
+#include <lobe/width/alpha.hpp>
 
 #include <xsimd/xsimd.hpp>
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include <lobe/core/roughness.hpp>
+#include <lobe/width/alpha.hpp>
 #include <lobe/energy/dfg_table.hpp>
 #include <lobe/ibl/latlong.hpp>
 

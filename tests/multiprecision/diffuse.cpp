@@ -7,7 +7,7 @@
 #include <lobe/brdf/lambert.hpp>
 #include <lobe/brdf/oren_nayar.hpp>
 #include <lobe/lights/punctual.hpp>
-#include <lobe/ndf/antialiasing.hpp>
+#include <lobe/width/antialiasing.hpp>
 
 using lobe::vec3;
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <lobe/ndf/radial.hpp>
-#include <lobe/ndf/special_functions.hpp>
+#include <lobe/numeric/roots.hpp>
+#include <lobe/numeric/special_functions.hpp>
 
 #include <cassert>
 

@@ -1,42 +1,10 @@
-// Blinn's distribution, normalised, and the maps between its exponent and a width.
+// Blinn's distribution, normalised.
 #pragma once
 
 #include <lobe/ndf/student_t.hpp>
+#include <lobe/width/exponents.hpp>
 
 namespace lobe {
-
-/// n = 2/alpha^2 - 2: the exponent whose peak is that of GGX and Beckmann of width alpha, 1/(pi alpha^2). Walter et al. 2007, p. 7;
-/// Karis 2013. (The misprint 2 alpha^2 - 2 is normalised too, and grows towards the horizon.)
-template <scalar T>
-constexpr T blinn_phong_exponent_from_alpha(const alpha<T>& a) {
-    return T(2) * (T(1) - a.value()) * (T(1) + a.value()) / (a.value() * a.value());
-}
-
-/// alpha = sqrt(2/(n + 2)), n > -2: its inverse.
-template <scalar T>
-constexpr alpha<T> alpha_from_blinn_phong_exponent(const T& n) {
-    using std::sqrt;
-    return alpha<T>(sqrt(T(2) / (n + T(2))));
-}
-
-/// The exponent of Blinn's n.h lobe that resembles Phong's r.v lobe of the exponent n: four times it, because the
-/// half vector turns half as fast (Fisher & Woo 1994, "R.E versus N.H Specular Highlights"). Exact as n grows.
-template <scalar T>
-constexpr T blinn_phong_exponent_from_phong_exponent(const T& n) {
-    return T(4) * n;
-}
-
-template <scalar T>
-constexpr T phong_exponent_from_blinn_phong_exponent(const T& n) {
-    return n / T(4);
-}
-
-/// Blinn's exponent from an artist's gloss s in [0,1]: largest^s, from 1 to `largest`.
-template <scalar T>
-constexpr T blinn_phong_exponent_from_gloss(const T& s, const T& largest) {
-    using std::pow;
-    return pow(largest, s);
-}
 
 /// Blinn-Phong: D = (n + 2)/(2 pi) cos^n, n = 2/alpha^2 - 2. Blinn 1977, "Models of Light Reflection for Computer Synthesized
 /// Pictures". Its slopes follow Student's t with gamma = 1/alpha^2 + 1 and the same alpha (put tan^2 = 1/cos^2 - 1 into

@@ -1,7 +1,7 @@
 // The roles of a density of normals and of a distribution, which knows its projected area as well.
 #pragma once
 
-#include <lobe/core/roughness.hpp>
+#include <lobe/width/alpha.hpp>
 
 namespace lobe {
 

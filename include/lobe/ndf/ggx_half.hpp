@@ -1,7 +1,7 @@
 // GGX's density for numbers of 16 bits, as shaders on phones have them.
 #pragma once
 
-#include <lobe/core/roughness.hpp>
+#include <lobe/width/alpha.hpp>
 
 namespace lobe {
 

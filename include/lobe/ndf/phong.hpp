@@ -2,24 +2,11 @@
 #pragma once
 
 #include <lobe/ndf/radial.hpp>
+#include <lobe/width/exponents.hpp>
 
 #include <cassert>
 
 namespace lobe {
-
-/// n = (1/alpha^2 - 1)/2: the exponent of the r.v lobe that resembles Blinn-Phong of width alpha, whose n.h exponent is four
-/// times it. Fisher & Woo 1994, "R.E versus N.H Specular Highlights".
-template <scalar T>
-constexpr T phong_exponent_from_alpha(const alpha<T>& a) {
-    return (T(1) - a.value()) * (T(1) + a.value()) / (T(2) * a.value() * a.value());
-}
-
-/// alpha = 1/sqrt(2 n + 1), n >= 0: its inverse.
-template <scalar T>
-constexpr alpha<T> alpha_from_phong_exponent(const T& n) {
-    using std::sqrt;
-    return alpha<T>(T(1) / sqrt(T(2) * n + T(1)));
-}
 
 /// Phong's lobe, its slopes divided by alpha. t = alpha^2 tau is tan(theta)^2, and cos(2 theta) = (1 - t)/(1 + t).
 template <scalar T>

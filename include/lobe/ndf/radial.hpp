@@ -1,7 +1,8 @@
 // Distributions given by one function of the angle from the normal: the rest of their profile is written here, once.
 #pragma once
 
-#include <lobe/ndf/numeric.hpp>
+#include <lobe/numeric/integrals.hpp>
+#include <lobe/numeric/roots.hpp>
 #include <lobe/ndf/stretched.hpp>
 
 #include <cassert>

@@ -1,7 +1,7 @@
 // Special functions that the standard library lacks.
 #pragma once
 
-#include <lobe/ndf/numeric.hpp>
+#include <lobe/numeric/precision.hpp>
 
 namespace lobe::detail {
 

@@ -1,7 +1,7 @@
 // Specular anti-aliasing: the variance of normals within a pixel or a texel becomes a wider distribution.
 #pragma once
 
-#include <lobe/core/roughness.hpp>
+#include <lobe/width/alpha.hpp>
 
 #include <cassert>
 
