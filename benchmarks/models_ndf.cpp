@@ -22,14 +22,12 @@ result<1, T> if_not_tiny(const T& x) {
 }
 
 struct density {
-    static constexpr const char* of_tables = "rounding";
     [[gnu::always_inline]] static auto of(const auto& ndf, const auto& e) { return if_not_tiny(ndf.D(e.m())); }
 };
 struct anisotropic_density {
     [[gnu::always_inline]] static auto of(const auto& ndf, const auto& e) { return if_not_tiny(ndf.D(e.anisotropic_m())); }
 };
 struct area {
-    static constexpr const char* of_tables = "table";
     [[gnu::always_inline]] static auto of(const auto& ndf, const auto& e) { return one(ndf.projected_area(e.v())); }
 };
 struct lambda {
@@ -58,24 +56,30 @@ rows_of<Operation> isotropic(const char* title, const char* of) {
         return lobe::masked_by{lobe::blinn_phong{e.alpha()}, beckmann{e.alpha()}};
     });
     rows.add("`sggx`", [](const auto& e) { return lobe::sggx{e.alpha()}; });
-    const char* const kind = Operation::of_tables;
-    rows.add(
-        "`exponential_power`, p 1/2",
-        [](const auto& e) {
-            return lobe::stretched{lobe::shared{e.built().exponential_power}, e.alpha()};
-        },
-        kind);
-    rows.add(
-        "`phong`", [](const auto& e) -> const auto& { return e.built().phong; }, kind);
-    rows.add(
-        "`gtr`, gamma 1", [](const auto& e) -> const auto& { return e.built().gtr_1; }, kind);
-    rows.add(
-        "`gtr`, gamma 3/2", [](const auto& e) -> const auto& { return e.built().gtr_3_2; }, kind);
-    rows.add(
-        "`abc`, C 3/2", [](const auto& e) -> const auto& { return e.built().abc; }, kind);
-    rows.add(
-        "`sgd`, p 1/2", [](const auto& e) -> const auto& { return e.built().sgd; }, kind);
     return rows;
+}
+
+/// What has no area is made where it is asked for its D ...
+void add_densities(rows_of<density>& rows) {
+    rows.add("`exponential_power`, p 1/2", []<class T>(const element<T>& e) { return lobe::exponential_power{e.alpha(), T(0.5f)}; });
+    rows.add("`phong`", [](const auto& e) { return lobe::phong{e.alpha()}; });
+    rows.add("`gtr`, gamma 1", []<class T>(const element<T>& e) { return lobe::gtr{e.alpha(), T(1)}; });
+    rows.add("`gtr`, gamma 3/2", []<class T>(const element<T>& e) { return lobe::gtr{e.alpha(), T(1.5f)}; });
+    rows.add("`abc`, C 3/2", []<class T>(const element<T>& e) { return lobe::abc{e.alpha(), T(1.5f)}; });
+    rows.add("`sgd`, p 1/2", []<class T>(const element<T>& e) { return lobe::sgd{e.alpha(), T(0.5f)}; });
+}
+
+/// ... and its table once.
+void add_tabulated(rows_of<area>& rows) {
+    const auto add = [&](const char* label, const auto& model) { rows.add(label, model, "table"); };
+    add("`tabulated`, `exponential_power`, p 1/2", [](const auto& e) {
+        return lobe::stretched{lobe::shared{e.built().exponential_power}, e.alpha()};
+    });
+    add("`tabulated`, `phong`", [](const auto& e) -> const auto& { return e.built().phong; });
+    add("`tabulated`, `gtr`, gamma 1", [](const auto& e) -> const auto& { return e.built().gtr_1; });
+    add("`tabulated`, `gtr`, gamma 3/2", [](const auto& e) -> const auto& { return e.built().gtr_3_2; });
+    add("`tabulated`, `abc`, C 3/2", [](const auto& e) -> const auto& { return e.built().abc; });
+    add("`tabulated`, `sgd`, p 1/2", [](const auto& e) -> const auto& { return e.built().sgd; });
 }
 
 template <class Operation>
@@ -92,8 +96,10 @@ rows_of<Operation> anisotropic(const char* title, const char* of) {
 
 std::vector<section> distribution_models() {
     auto D = isotropic<density>("Distributions: D", "D");
+    add_densities(D);
     auto D_xy = anisotropic<anisotropic_density>("Distributions: D, anisotropic", "D");
     auto sigma = isotropic<area>("Distributions: projected area", "sigma");
+    add_tabulated(sigma);
     sigma.add("`beckmann_walter`", walter, "`beckmann`", isotropic_beckmann);
     auto sigma_xy = anisotropic<area>("Distributions: projected area, anisotropic", "sigma");
     sigma_xy.add("`beckmann_walter`", anisotropic_walter, "`beckmann`", anisotropic_beckmann);

@@ -86,10 +86,12 @@ section conversions() {
     rows.add("`alpha::from_roughness`",
              []<class T>(const element<T>& e) { return number(lobe::alpha<T>::from_roughness(e.at(e.in.more.roughness))); });
     rows.add("`blinn_phong_exponent_from_alpha`", [](const auto& e) { return one(lobe::blinn_phong_exponent_from_alpha(e.alpha())); });
-    rows.add("`alpha_from_blinn_phong_exponent`", [](const auto& e) { return number(lobe::alpha_from_blinn_phong_exponent(e.at(e.in.more.eta))); });
+    rows.add("`alpha_from_blinn_phong_exponent`",
+             [](const auto& e) { return number(lobe::alpha_from_blinn_phong_exponent(e.at(e.in.more.eta))); });
     rows.add("`phong_exponent_from_alpha`", [](const auto& e) { return one(lobe::phong_exponent_from_alpha(e.alpha())); });
     rows.add("`alpha_from_phong_exponent`", [](const auto& e) { return number(lobe::alpha_from_phong_exponent(e.at(e.in.more.eta))); });
-    rows.add("`blinn_phong_exponent_from_gloss`", []<class T>(const element<T>& e) { return one(lobe::blinn_phong_exponent_from_gloss(e.fraction(), T(8192))); });
+    rows.add("`blinn_phong_exponent_from_gloss`",
+             []<class T>(const element<T>& e) { return one(lobe::blinn_phong_exponent_from_gloss(e.fraction(), T(8192))); });
     rows.add("`f0_from_ior`", [](const auto& e) { return one(lobe::f0_from_ior(e.at(e.in.more.eta))); });
     rows.add("`ior_from_f0`", [](const auto& e) { return one(lobe::ior_from_f0(e.at(e.in.more.f0))); });
     return rows.made;

@@ -134,15 +134,19 @@ TEST_CASE("peaks and shapes, which normalisation cannot see", "[ndf]") {
 TEST_CASE("maps between widths and exponents", "[ndf]") {
     CHECK(lobe::blinn_phong_exponent_from_alpha(alpha{0.3}) == Catch::Approx(20.2222222222222));  // -1.82 with the misprint 2 alpha^2 - 2
     CHECK(lobe::blinn_phong_exponent_from_alpha(alpha{1.0}) == 0);
-    for (double a : {0.001, 0.1, 1.0}) CHECK(lobe::alpha_from_blinn_phong_exponent(lobe::blinn_phong_exponent_from_alpha(alpha{a})).value() == Catch::Approx(a));
-    for (double a : {0.001, 0.1, 1.0}) CHECK(lobe::alpha_from_phong_exponent(lobe::phong_exponent_from_alpha(alpha{a})).value() == Catch::Approx(a));
+    for (double a : {0.001, 0.1, 1.0}) {
+        CHECK(lobe::alpha_from_blinn_phong_exponent(lobe::blinn_phong_exponent_from_alpha(alpha{a})).value() == Catch::Approx(a));
+        CHECK(lobe::alpha_from_phong_exponent(lobe::phong_exponent_from_alpha(alpha{a})).value() == Catch::Approx(a));
+    }
     CHECK(lobe::blinn_phong_exponent_from_gloss(0.5, 1000.0) == Catch::Approx(31.6227766));
     CHECK(lobe::phong_exponent_from_blinn_phong_exponent(lobe::blinn_phong_exponent_from_phong_exponent(7.0)) == 7);
     const vec3<double> m = tilted(0.1);
     CHECK(lobe::blinn_phong<double>::from_exponent(50).D(m) == Catch::Approx(52 / (2 * pi) * std::pow(m.z, 50)));
     CHECK(lobe::phong<double>::from_exponent(50).D(m) == Catch::Approx(102 / pi * std::pow(2 * m.z * m.z - 1, 50)));
     // four times the shininess is the same width
-    for (double n : {0.25, 7.0, 1000.0}) CHECK(lobe::blinn_phong_exponent_from_alpha(lobe::alpha_from_phong_exponent(n)) == Catch::Approx(lobe::blinn_phong_exponent_from_phong_exponent(n)));
+    for (double n : {0.25, 7.0, 1000.0})
+        CHECK(lobe::blinn_phong_exponent_from_alpha(lobe::alpha_from_phong_exponent(n)) ==
+              Catch::Approx(lobe::blinn_phong_exponent_from_phong_exponent(n)));
     CHECK(lobe::phong_exponent_from_alpha(alpha{1.0}) == 0);
     // ... and the same lobe near the normal: ln(cos(2 theta)^n / cos(theta)^(4 n)) = -n theta^4 (1 + O(theta^2)), n = 49.5
     const auto relative = [&](const auto& ndf) { return std::log(ndf.D(m) / ndf.D({0, 0, 1})); };
@@ -399,6 +403,69 @@ TEST_CASE("limits: families meet", "[ndf]") {
     CHECK(large > 1e-9);
     CHECK(blinn < 1e-12);
     CHECK(equal < 1e-13);
+}
+
+namespace {
+
+/// A shape that lacks one of what `radial_shape` asks for.
+enum class member { none, D, survival, tan2, as };
+template <class T, member lacks>
+struct shape_without {
+    constexpr T D(const T& tau, const T&) const requires(lacks != member::D) { return tau; }
+    constexpr T survival(const T& tau) const requires(lacks != member::survival) { return tau; }
+    constexpr T tan2(const T& u) const requires(lacks != member::tan2) { return u; }
+    template <class U>
+    constexpr shape_without<U, lacks> as() const requires(lacks != member::as) { return {}; }
+};
+template <member lacks>
+constexpr bool is_shape = lobe::radial_shape<shape_without<float, lacks>, float> && lobe::radial_shape<shape_without<double, lacks>, double>;
+
+template <class N>
+constexpr bool density_only = lobe::samplable_density<N> && !lobe::distribution<N> && !lobe::visibly_samplable_distribution<N>;
+
+}  // namespace
+
+TEST_CASE("a shape has all that is documented, a distribution an area, and what has none is as small as its numbers", "[ndf]") {
+    static_assert(is_shape<member::none>);
+    static_assert(!is_shape<member::D>);
+    static_assert(!is_shape<member::survival>);
+    static_assert(!is_shape<member::tan2>);
+    static_assert(!is_shape<member::as>);
+    static_assert(!lobe::radial_shape_with_area<shape_without<float, member::none>, float>);
+
+    const alpha<float> a{0.3f};
+    const alpha_xy<float> wide{0.3f, 0.1f};
+    const auto expect = [](const auto& small_one, std::size_t numbers) {
+        using N = std::remove_cvref_t<decltype(small_one)>;
+        static_assert(density_only<N>);
+        static_assert(lobe::visibly_samplable_distribution<lobe::tabulated<N>>);
+        CHECK(sizeof(N) == numbers * sizeof(float));
+        CHECK(sizeof(lobe::tabulated<N>) == (numbers + 1 + 2 * 97) * sizeof(float));
+        // what is drawn and its density do not depend on the table
+        const lobe::tabulated table{small_one};
+        random_numbers random(9);
+        for (int i = 0; i < 20; ++i) {
+            const vec2<float> u{static_cast<float>(random() * 0.999), static_cast<float>(random() * 0.999)};
+            const vec3<float> m = small_one.sample(u);
+            CHECK(m == table.sample(u));
+            CHECK(small_one.D(m) == table.D(m));
+            CHECK(small_one.pdf(m) == table.pdf(m));
+        }
+        CHECK(small_one.width() == table.width());
+    };
+    expect(lobe::gtr{a, 1.0f}, 6);
+    expect(lobe::gtr{a, 1}, 6);  // an integer is of the width's type
+    expect(lobe::phong{a}, 2);
+    expect(lobe::abc{a, 1.5f}, 6);
+    expect(lobe::sgd{a, 0.5f}, 5);
+    expect(lobe::exponential_power{a, 2.0f}, 3);
+    expect(lobe::exponential_power{wide, 2.0f}, 4);
+
+    const lobe::masked_by coat{lobe::gtr{a, 1}, lobe::ggx{alpha{0.25f}}};
+    static_assert(lobe::samplable_distribution<std::remove_const_t<decltype(coat)>>);
+    CHECK(sizeof(coat) == 7 * sizeof(float));
+    static_assert(density_only<decltype(lobe::mixture{lobe::gtr{a, 1}, lobe::ggx{a}, 0.5f})>);
+    static_assert(lobe::visibly_samplable_distribution<decltype(lobe::mixture{lobe::tabulated{lobe::gtr{a, 1}}, lobe::ggx{a}, 0.5f})>);
 }
 
 TEST_CASE("a shared profile is the same distribution for the price of a pointer", "[ndf]") {

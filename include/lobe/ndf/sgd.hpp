@@ -62,9 +62,10 @@ private:
 /// Soler & Holzschuch 2012, "Accurate fitting of measured reflectances using a Shifted Gamma micro-facet distribution", whose
 /// alpha and p these are. Not shape-invariant: only `alpha`. p = 0 is Beckmann of width sqrt(alpha).
 /// Domain: alpha in (0, 100], p in [0, 50]: the constants of D have to fit into a double. D in 1/sr. Scalar types
-/// only. No closed projected area: `tabulated` or `masked_by`. Error of D for alpha <= 1, p <= 9:
-/// 10 (1 + |ln(D pi alpha^2)|) ULP, in double relative 1e-14 (that of Gamma(1-p, alpha)) more; of the projected area: 3e-6 of that
-/// along the horizon for p <= 4, and at alpha = 1e-4, where it is largest, 3e-5 for p = 9.
+/// only; making one takes 1 to 3 microseconds, for Gamma(1-p, alpha). No closed projected area: `tabulated` or `masked_by`.
+/// Error of D for alpha <= 1, p <= 9: 10 (1 + |ln(D pi alpha^2)|) ULP, in double relative 1e-14 (that of Gamma(1-p, alpha))
+/// more; of the projected area: 3e-6 of that along the horizon for p <= 4, and at alpha = 1e-4, where it is largest, 3e-5
+/// for p = 9.
 template <scalar T, detail::one_width_type Width = alpha<T>>
 class sgd : public radial<sgd_shape<T>, detail::width_in_t<Width, T>> {
 public:
