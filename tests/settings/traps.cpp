@@ -232,6 +232,7 @@ void diffuse(const inputs<T>& in) {
         brdf("burley_frostbite", lobe::burley_frostbite{colour, r}, in);
         brdf("oren_nayar", lobe::oren_nayar{colour, r}, in);
         brdf("fon", lobe::fon{colour, r}, in);
+        brdf("fon, by the cosine", lobe::fon{colour, r, lobe::cosine_sampling{}}, in);
         brdf("eon", lobe::eon{colour, r}, in);
         brdf("eon, fitted", lobe::eon{colour, r, lobe::fon_loss_fit{}}, in);
     }
