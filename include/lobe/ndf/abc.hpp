@@ -86,8 +86,8 @@ private:
 /// Domain: alpha > 0, C >= 0. D in 1/sr. Sampling: scalar types only. No closed projected area: `tabulated` or `masked_by`. Error of D:
 /// 12 (1 + |ln(D pi alpha^2)|) ULP, in double for alpha > 3 up to alpha^2/10 times that; of the projected area: 3e-6 of that along the
 /// horizon, at alpha = 1e-4, where it is largest, 4e-5 for C < 1.
-template <scalar T, detail::one_width_type Width = alpha<T>>
-class abc : public radial<abc_shape<T>, detail::width_in_t<Width, T>> {
+template <scalar T, detail::one_width_of<T> Width = alpha<T>>
+class abc : public radial<abc_shape<T>, Width> {
 public:
     constexpr abc(const Width& width, const T& C) : radial<abc_shape<T>, Width>(abc_shape<T>(width.x(), C), width) {}
     /// From the B and C of the paper, whose A follows.

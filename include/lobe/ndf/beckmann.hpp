@@ -87,7 +87,7 @@ struct beckmann_shape {
 /// Error of D: 12 (1 + |ln(D pi ax ay)|) ULP; of the projected area: 4 ULP; of Lambda in double: relative 4e-14 for cot/alpha <= 8, in
 /// float 3e-5, zero where it underflows. Below the horizon the area is a difference, in float off by 3e-7 (1 + cot^2/alpha^2)^2, as is
 /// the density of the normals visible from there: 7e-4 at cot/alpha = 9, where the area is 1e-37; in double by 1e-12.
-template <scalar T, detail::width_type Width = alpha<T>>
+template <scalar T, detail::width_of<T> Width = alpha<T>>
 class beckmann : public radial<beckmann_shape<T>, Width> {
 public:
     constexpr explicit beckmann(const Width& width) : radial<beckmann_shape<T>, Width>({}, width) {}
@@ -112,7 +112,7 @@ struct beckmann_walter_shape : beckmann_shape<T> {
 /// Beckmann with the projected area of Walter et al. 2007, p. 7: Lambda ~ (1 - 1.259 a + 0.396 a^2)/(3.535 a + 2.181 a^2) for
 /// a = cot/alpha < 1.6, else 0: no exponential and no error function. G1 within 0.32 % of `beckmann`'s, with a jump of 6e-5
 /// at 1.6; Lambda itself is off by up to 92 % near 1.5. Sampling: all normals, as `beckmann`; visible normals would need the exact area.
-template <scalar T, detail::width_type Width = alpha<T>>
+template <scalar T, detail::width_of<T> Width = alpha<T>>
 class beckmann_walter : public radial<beckmann_walter_shape<T>, Width> {
 public:
     constexpr explicit beckmann_walter(const Width& width) : radial<beckmann_walter_shape<T>, Width>({}, width) {}

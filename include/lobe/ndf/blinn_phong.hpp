@@ -12,8 +12,8 @@ namespace lobe {
 /// Domain: 0 < alpha <= 1 (n >= 0). D in 1/sr. Projected area, Lambda, visible normals: scalar types only (0.2 microseconds an
 /// area); `masked_by{blinn_phong{a}, beckmann{a}}` is the usual cheap stand-in (Walter et al. 2007). Error of D:
 /// 10 (1 + |ln(D pi alpha^2 cos^4)|) ULP; of the projected area and of Lambda: those of `student_t`.
-template <scalar T, detail::one_width_type Width = alpha<T>>
-class blinn_phong : public radial<student_t_shape<T>, detail::width_in_t<Width, T>> {
+template <scalar T, detail::one_width_of<T> Width = alpha<T>>
+class blinn_phong : public radial<student_t_shape<T>, Width> {
 public:
     constexpr explicit blinn_phong(const Width& width)
         : radial<student_t_shape<T>, Width>(student_t_shape<T>::from_k(inverse_square(width.x())), width) {}

@@ -38,46 +38,29 @@ concept distribution = normal_density<N> && requires(const N ndf, const vec3<typ
 
 namespace detail {
 
-/// The scalar type and the width of a distribution that is written with a W for its width and a P behind it.
-template <class W, class P>
-struct written_with;
-template <width_type W, class P>
-struct written_with<W, P> {
-    using number = std::conditional_t<scalar<P>, P, typename W::scalar>;  // integers become what the width is of
-    using width = W;
-};
-template <number_type W, class P>
-struct written_with<W, P> {
-    using number = std::conditional_t<scalar<P>, P, std::conditional_t<scalar<W>, W, double>>;
-    using width = bare_number<number>;
-};
-
 template <class W>
-struct unstretched {
+struct number_in;
+template <scalar W>
+struct number_in<W> {
     using type = W;
 };
-template <scalar T>
-struct unstretched<alpha_xy<T>> {
-    using type = two_widths<T>;
+template <std::integral W>
+struct number_in<W> {
+    using type = double;
+};
+template <width_type W>
+struct number_in<W> {
+    using type = typename W::scalar;
 };
 
-/// For deduction guides.
+/// For deduction guides: the scalar type of a distribution that is written with a W for its width and a P behind it, which if it is an
+/// integer becomes what the width is of; its width; and that of one that cannot be stretched.
 template <class W, class P = int>
-using number_t = typename written_with<W, P>::number;
+using number_t = std::conditional_t<scalar<P>, P, typename number_in<W>::type>;
 template <class W, class P = int>
-using width_t = typename written_with<W, P>::width;
+using width_t = std::conditional_t<width_of<W, number_t<W, P>>, W, refused_width<number_t<W, P>>>;
 template <class W, class P = int>
-using one_width_t = typename unstretched<width_t<W, P>>::type;
-
-template <class Width, scalar T>
-struct width_in {
-    static_assert(std::same_as<typename Width::scalar, T>,
-                  "the parameters of a distribution are of its width's type: student_t{alpha{0.3f}, 2.0f}, not 2.0");
-    using type = Width;
-};
-/// The width of a distribution whose other parameters are T.
-template <class Width, scalar T>
-using width_in_t = typename width_in<Width, T>::type;
+using one_width_t = std::conditional_t<one_width_of<W, number_t<W, P>>, W, refused_width<number_t<W, P>>>;
 
 /// The projected area from a direction above the horizon: by the distribution's shorter form, if it has one.
 template <distribution N, class T = typename N::scalar>

@@ -73,8 +73,8 @@ private:
 /// Domain: alpha as `beckmann`, p in (0, 50] (areas tested from 1/4 to 4). D in 1/sr. Sampling: scalar types only. No closed projected
 /// area: `tabulated`, whose table `shared` lends to every width, or `masked_by`.
 /// Error of D: 6 max(1, p) (1 + (tan^2/alpha^2)^p) ULP; of the projected area: 4e-6 of that along the horizon.
-template <scalar T, detail::width_type Width = alpha<T>>
-class exponential_power : public radial<exponential_power_shape<T>, detail::width_in_t<Width, T>> {
+template <scalar T, detail::width_of<T> Width = alpha<T>>
+class exponential_power : public radial<exponential_power_shape<T>, Width> {
 public:
     constexpr exponential_power(const Width& width, const T& p)
         : radial<exponential_power_shape<T>, Width>(exponential_power_shape<T>(p), width) {}

@@ -60,7 +60,7 @@ struct ggx_profile {
 /// Domain: alpha >= 1e-6, where the errors hold (D along the normal is finite from 1.2e-19 in float, 1.5e-153 in double; of `alpha_xy` the
 /// product); m of any length from 1e-12 to 1e12; cosines of 1e-6 and more, and the whole sphere for the projected area. D in 1/sr.
 /// Error: D 12 ULP, projected area 4 (5 below the horizon), Lambda 8: no term cancels.
-template <scalar T, detail::width_type Width = alpha<T>>
+template <scalar T, detail::width_of<T> Width = alpha<T>>
 class ggx : public stretched<ggx_profile<T>, Width> {
 public:
     constexpr explicit ggx(const Width& width) : stretched<ggx_profile<T>, Width>({}, width) {}

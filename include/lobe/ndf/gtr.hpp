@@ -58,8 +58,8 @@ private:
 /// as Burley's coat has it, `masked_by{gtr{a, 1.0f}, ggx{alpha{0.25f}}}`.
 /// Error of D: 12 (1 + |ln(D pi alpha^2 cos^4)|) ULP for gamma <= 5; of the projected area: 3e-6 of that along the horizon from
 /// alpha 1e-3 on; for gamma < 2, whose tail goes on from tan = alpha to tan = 1, 4e-5 at alpha = 1e-4, 6e-4 at 1e-5.
-template <scalar T, detail::one_width_type Width = alpha<T>>
-class gtr : public radial<gtr_shape<T>, detail::width_in_t<Width, T>> {
+template <scalar T, detail::one_width_of<T> Width = alpha<T>>
+class gtr : public radial<gtr_shape<T>, Width> {
 public:
     constexpr gtr(const Width& width, const T& gamma) : radial<gtr_shape<T>, Width>(gtr_shape<T>(width.x(), gamma), width) {}
 };

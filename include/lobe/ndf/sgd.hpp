@@ -66,8 +66,8 @@ private:
 /// Error of D for alpha <= 1, p <= 9: 10 (1 + |ln(D pi alpha^2)|) ULP, in double relative 1e-14 (that of Gamma(1-p, alpha))
 /// more; of the projected area: 3e-6 of that along the horizon for p <= 4, and at alpha = 1e-4, where it is largest, 3e-5
 /// for p = 9.
-template <scalar T, detail::one_width_type Width = alpha<T>>
-class sgd : public radial<sgd_shape<T>, detail::width_in_t<Width, T>> {
+template <scalar T, detail::one_width_of<T> Width = alpha<T>>
+class sgd : public radial<sgd_shape<T>, Width> {
 public:
     constexpr sgd(const Width& width, const T& p) : radial<sgd_shape<T>, Width>(sgd_shape<T>(width.x(), p), width) {}
 };

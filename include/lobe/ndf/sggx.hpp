@@ -30,10 +30,10 @@ public:
     using scalar = T;
 
     /// Flakes of a surface around n = (0,0,1): S = diag(alpha^2, alpha^2, 1).
-    template <detail::width_type Width>
+    template <detail::width_of<T> Width>
     constexpr explicit sggx(const Width& width) : sggx(vec3<T>{width.x(), T(0), T(0)}, {T(0), width.y(), T(0)}, {T(0), T(0), T(1)}) {}
     template <detail::number_type N>
-    constexpr explicit sggx(const N& bare) : sggx(detail::bare_number<T>(bare)) {}
+    constexpr explicit sggx(const N& bare) : sggx(detail::refused_width<T>(bare)) {}
 
     /// From the eigenvectors of S and the roots of its eigenvalues: the projected areas along them, all > 0.
     constexpr sggx(const frame<T>& axes, const vec3<T>& areas) : sggx(areas.x * axes.t, areas.y * axes.b, areas.z * axes.n) {}

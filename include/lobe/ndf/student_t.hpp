@@ -91,8 +91,8 @@ private:
 /// scalar types only (0.1 to 0.3 microseconds; a normal 0.3 seen from above, 1 to 4 at 60 degrees, 10 to 17 at grazing ones).
 /// Error of D: 10 (1 + |ln(D pi ax ay cos^4)|) ULP; relative, of the projected area 1e-14, in float 3e-7; of Lambda, where it is
 /// above 1e-12, 1e-12, in float, above 1e-4, 2e-6.
-template <scalar T, detail::width_type Width = alpha<T>>
-class student_t : public radial<student_t_shape<T>, detail::width_in_t<Width, T>> {
+template <scalar T, detail::width_of<T> Width = alpha<T>>
+class student_t : public radial<student_t_shape<T>, Width> {
 public:
     constexpr student_t(const Width& width, const T& gamma) : radial<student_t_shape<T>, Width>(student_t_shape<T>(gamma), width) {}
 };
@@ -115,7 +115,7 @@ constexpr alpha_xy<T> narrower(const alpha_xy<T>& width, const T& by) {
 /// Hyper-Cauchy: D = (gamma-1) / (pi alpha^2 cos^4) (1 + tan^2/alpha^2)^-gamma. Wellems et al. 2006; Hoffman 2016, "Recent Advances in
 /// Physically Based Shading". It is Student-t of the width alpha/sqrt(gamma - 1), which `width()` returns. Domain and error: those
 /// of `student_t`.
-template <scalar T, detail::width_type Width = alpha<T>>
+template <scalar T, detail::width_of<T> Width = alpha<T>>
 class hyper_cauchy : public student_t<T, Width> {
 public:
     constexpr hyper_cauchy(const Width& width, const T& gamma) : student_t<T, Width>(detail::narrower(width, root(gamma - T(1))), gamma) {}

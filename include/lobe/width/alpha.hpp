@@ -118,26 +118,29 @@ concept width_type = scalar<typename W::scalar> && requires(const W width, const
     { width.unstretch(w) } -> std::same_as<vec3<typename W::scalar>>;
     { width.density_ratio(w) } -> std::same_as<typename W::scalar>;
 };
-template <class W>
-concept one_width_type = width_type<W> && W::isotropic;
+template <class W, class T>
+concept width_of = width_type<W> && std::same_as<typename W::scalar, T>;
+template <class W, class T>
+concept one_width_of = width_of<W, T> && W::isotropic;
 template <class N>
 concept number_type = scalar<N> || std::integral<N>;
 
-/// What a distribution that is written with a bare number has for its width: an error that says what to write.
+/// The width of a distribution of T that is written with what is none for it: an error that says what to write. (Each is of a function,
+/// so that the class itself is sound, and nothing that is made of it adds another error.)
 template <scalar T>
-struct bare_number : alpha<T> {
-    constexpr bare_number(const alpha<T>& width) : alpha<T>(width) {}
+struct refused_width : alpha<T> {
+    constexpr refused_width(const alpha<T>& width) : alpha<T>(width) {}
+
     template <number_type N>
-    constexpr bare_number(const N&) : alpha<T>(T(1)) {
+    constexpr refused_width(const N&) : alpha<T>(T(1)) {
         static_assert(!scalar<T>, "a bare number is no width: write alpha{0.3f}, or alpha<float>::from_roughness(r)");
     }
-};
-
-/// ... and what one that cannot be stretched has for an `alpha_xy`.
-template <scalar T>
-struct two_widths : alpha<T> {
-    constexpr two_widths(const alpha_xy<T>& widths) : alpha<T>(widths.x()) {
+    constexpr refused_width(const alpha_xy<T>&) : alpha<T>(T(1)) {
         static_assert(!scalar<T>, "this family of distributions is not shape-invariant: it has one width, alpha, and no alpha_xy");
+    }
+    template <width_type W>
+    constexpr refused_width(const W&) : alpha<T>(T(1)) {
+        static_assert(!scalar<T>, "the numbers of a distribution are of one type: gtr{alpha{0.3f}, 1.5f}, not 1.5");
     }
 };
 
