@@ -14,7 +14,8 @@ namespace lobe {
 template <scalar T>
 class abc_shape {
 public:
-    constexpr abc_shape(const T& width, const T& exponent) : a2(width * width), C(exponent), B(T(2) / a2), whole(), norm() {
+    constexpr abc_shape(const T& width, const T& exponent)
+        : a2(width * width), C(exponent), B(T(2) / a2), whole(), norm() {
         using W = detail::at_least_double<T>;
         using std::log1p;
         assert(all(width > T(0)) && "abc: alpha must be above 0");
@@ -37,9 +38,7 @@ public:
     }
 
     /// Newton's method on ln y. Scalar types only.
-    constexpr T tan2(const T& u) const
-        requires(detail::one_lane<T>)
-    {
+    constexpr T tan2(const T& u) const requires(detail::one_lane<T>) {
         using W = detail::at_least_double<T>;
         if constexpr (!std::same_as<W, T>) {
             return T(as<W>().tan2(W(u)));
@@ -48,7 +47,8 @@ public:
             const T guess = C > T(1.5) ? -log1p(-u) / (C - T(1)) : -log1p(-u) * T(2);
             const T l = detail::root_of_increasing<T>(T(0), log1p(B), guess, [&](const T& at) {
                 const T left = B - expm1(at);
-                return detail::value_and_slope<T>{moment(B, C, T(0), at) / whole - u, left * exp((T(1) - C) * at) / whole};
+                return detail::value_and_slope<T>{moment(B, C, T(0), at) / whole - u,
+                                                  left * exp((T(1) - C) * at) / whole};
             });
             const T x = smaller(expm1(l) / B, T(1) - std::numeric_limits<T>::epsilon()), c = T(1) - x;
             return expm1(l) / T(2) * (T(2) - x) / (c * c);
@@ -80,12 +80,15 @@ private:
     T a2, C, B, whole, norm;
 };
 
-/// ABC: D = A / (1 + B (1 - cos theta_m))^C, B = 2/alpha^2, A from normalisation. Low, Kronander, Ynnerman & Unger 2012, "BRDF Models for
-/// Accurate and Efficient Rendering of Glossy Surfaces", eq. 12; the spectrum of polished surfaces of Church 1989. Near the
-/// normal it is (1 + theta^2/alpha^2)^-C, as GGX is at C = 2. Not shape-invariant: only `alpha`.
-/// Domain: alpha > 0, C >= 0. D in 1/sr. Sampling: scalar types only. No closed projected area: `tabulated` or `masked_by`. Error of D:
-/// 12 (1 + |ln(D pi alpha^2)|) ULP, in double for alpha > 3 up to alpha^2/10 times that; of the projected area: 3e-6 of that along the
-/// horizon, at alpha = 1e-4, where it is largest, 4e-5 for C < 1.
+/// ABC: D = A / (1 + B (1 - cos theta_m))^C, B = 2/alpha^2, A from normalisation. Low, Kronander, Ynnerman & Unger
+/// 2012, "BRDF Models for Accurate and Efficient Rendering of Glossy Surfaces", eq. 12; the spectrum of polished
+/// surfaces of Church 1989. Near the normal it is (1 + theta^2/alpha^2)^-C, as GGX is at C = 2. Not shape-invariant:
+/// only `alpha`.
+/// Domain: alpha > 0, C >= 0. D in 1/sr. Sampling: scalar types only. No closed projected area: `tabulated` or
+/// `masked_by`.
+/// Error of D:
+/// 12 (1 + |ln(D pi alpha^2)|) ULP, in double for alpha > 3 up to alpha^2/10 times that; of the projected area: 3e-6 of
+/// that along the horizon, at alpha = 1e-4, where it is largest, 4e-5 for C < 1.
 template <scalar T, detail::one_width_of<T> Width = alpha<T>>
 class abc : public radial<abc_shape<T>, Width> {
 public:

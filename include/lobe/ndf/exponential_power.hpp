@@ -26,15 +26,11 @@ public:
     }
 
     /// Q(1/p, tau^p), the regularised incomplete gamma function. Scalar types only, as its inverse.
-    constexpr T survival(const T& tau) const
-        requires(detail::one_lane<T>)
-    {
+    constexpr T survival(const T& tau) const requires(detail::one_lane<T>) {
         using std::pow;
         return detail::incomplete_gamma<T>(T(1) / p).upper(pow(tau, p));
     }
-    constexpr T tan2(const T& u) const
-        requires(detail::one_lane<T>)
-    {
+    constexpr T tan2(const T& u) const requires(detail::one_lane<T>) {
         using W = detail::at_least_double<T>;
         using std::exp, std::log, std::log1p;
         if (!(u > T(0))) return T(0);
@@ -48,7 +44,8 @@ public:
             if (!(share > W(0))) return detail::value_and_slope<W>{low ? W(-1) : W(1), W(0)};
             return detail::value_and_slope<W>{low ? log(share) - wanted : wanted - log(share), of.front(x) / share};
         };
-        // lower(x) is at most x^s/Gamma(s + 1), and close to it for small x: a bound from below, and where the search starts in that tail
+        // lower(x) is at most x^s/Gamma(s + 1), and close to it for small x: a bound from below, and where the search
+        // starts in that tail
         const W least = log(W(u) * of.gamma_s * s) / s;
         if (exp(least) < std::numeric_limits<W>::epsilon()) return T(exp(least * s));
         return T(exp(detail::root_of_increasing<W>(least - W(1), W(7), low ? least : log(s + W(1)), excess) * s));
@@ -61,17 +58,19 @@ public:
     }
 
     template <scalar U>
-    constexpr exponential_power_shape<U> as() const { return exponential_power_shape<U>(U(p)); }
+    constexpr exponential_power_shape<U> as() const {
+        return exponential_power_shape<U>(U(p));
+    }
 
 private:
     T p, norm;
 };
 
-/// EPD, or generalised Beckmann: D = exp(-(tan^2/alpha^2)^p) / (pi alpha^2 Gamma(1 + 1/p) cos^4), isotropic from `alpha`, anisotropic
-/// from `alpha_xy`. Holzschuch & Pacanowski 2017, "A Two-Scale Microfacet Reflectance Model Combining Reflection and
-/// Diffraction"; Hoffman 2016. p = 1 is Beckmann. Some sources write 2p or p/2 for this p.
-/// Domain: alpha as `beckmann`, p in (0, 50] (areas tested from 1/4 to 4). D in 1/sr. Sampling: scalar types only. No closed projected
-/// area: `tabulated`, whose table `shared` lends to every width, or `masked_by`.
+/// EPD, or generalised Beckmann: D = exp(-(tan^2/alpha^2)^p) / (pi alpha^2 Gamma(1 + 1/p) cos^4), isotropic from
+/// `alpha`, anisotropic from `alpha_xy`. Holzschuch & Pacanowski 2017, "A Two-Scale Microfacet Reflectance Model
+/// Combining Reflection and Diffraction"; Hoffman 2016. p = 1 is Beckmann. Some sources write 2p or p/2 for this p.
+/// Domain: alpha as `beckmann`, p in (0, 50] (areas tested from 1/4 to 4). D in 1/sr. Sampling: scalar types only. No
+/// closed projected area: `tabulated`, whose table `shared` lends to every width, or `masked_by`.
 /// Error of D: 6 max(1, p) (1 + (tan^2/alpha^2)^p) ULP; of the projected area: 4e-6 of that along the horizon.
 template <scalar T, detail::width_of<T> Width = alpha<T>>
 class exponential_power : public radial<exponential_power_shape<T>, Width> {

@@ -25,7 +25,8 @@ public:
     using scalar = T;
     static constexpr bool isotropic = Width::isotropic;
 
-    constexpr stretched(const Profile& profile_of_width_1, const Width& widths) : profile_(profile_of_width_1), widths_(widths) {}
+    constexpr stretched(const Profile& profile_of_width_1, const Width& widths)
+        : profile_(profile_of_width_1), widths_(widths) {}
 
     /// For `tabulated`, and for `shared`, which wants the distribution kept.
     constexpr const Profile& profile() const& { return profile_; }
@@ -41,48 +42,41 @@ public:
     }
 
     /// Unit w, anywhere on the sphere.
-    constexpr T projected_area(const vec3<T>& w) const
-        requires(requires(const Profile p) { p.projected_area(w); })
-    {
+    constexpr T projected_area(const vec3<T>& w) const requires(requires(const Profile p) { p.projected_area(w); }) {
         return profile_.projected_area(widths_.stretch(w));
     }
 
     /// The same where w is known to be above the horizon, for profiles that are cheaper there.
     constexpr T projected_area_above(const vec3<T>& w) const
-        requires(requires(const Profile p) { p.projected_area_above(w); })
-    {
+        requires(requires(const Profile p) { p.projected_area_above(w); }) {
         return profile_.projected_area_above(widths_.stretch(w));
     }
 
     /// Unit w; negative, at most -1, below the horizon, infinite at the horizon.
-    constexpr T lambda(const vec3<T>& w) const
-        requires(requires(const Profile p) { p.lambda(w); })
-    {
+    constexpr T lambda(const vec3<T>& w) const requires(requires(const Profile p) { p.lambda(w); }) {
         return profile_.lambda(widths_.stretch(w));
     }
 
     constexpr vec2<T> width() const { return {widths_.x(), widths_.y()}; }
 
-    /// A normal with density D(m) cos(theta_m); u in [0,1)^2. Error, for GGX and Beckmann: 3e-7 radian in float, 6e-16 in double.
-    /// (Inlined by force, as is `sample_visible`: a loop with a call does not vectorise.)
+    /// A normal with density D(m) cos(theta_m); u in [0,1)^2. Error, for GGX and Beckmann: 3e-7 radian in float, 6e-16
+    /// in double. (Inlined by force, as is `sample_visible`: a loop with a call does not vectorise.)
     [[gnu::always_inline]] constexpr vec3<T> sample(const vec2<T>& u) const
-        requires(requires(const Profile p) { p.sample(u); })
-    {
+        requires(requires(const Profile p) { p.sample(u); }) {
         return normalize(widths_.stretch(profile_.sample(u)));
     }
     constexpr T pdf(const vec3<T>& m) const { return D(m) * m.z; }
 
-    /// A normal seen from v, with density max(0, v.m) D(m) / projected_area(v); unit v, also below the horizon, where the
-    /// random walk looks up through the surface; u in [0,1)^2. Error for GGX in float: 3e-7 (1 + a |Sv| |S^-1 m|^2/(2 v.m)) radian, S the
-    /// stretch, a the larger width: 1e-6 for 99.9 % of the square, more (4e-4 at alpha 1e-4) where grazing facets close at u.x = 1.
+    /// A normal seen from v, with density max(0, v.m) D(m) / projected_area(v); unit v, also below the horizon, where
+    /// the random walk looks up through the surface; u in [0,1)^2.
+    /// Error for GGX in float: 3e-7 (1 + a |Sv| |S^-1 m|^2/(2 v.m)) radian, S the stretch, a the larger width: 1e-6 for
+    /// 99.9 % of the square, more (4e-4 at alpha 1e-4) where grazing facets close at u.x = 1.
     [[gnu::always_inline]] constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const
-        requires(requires(const Profile p) { p.sample_visible(v, u); })
-    {
+        requires(requires(const Profile p) { p.sample_visible(v, u); }) {
         return normalize(widths_.stretch(profile_.sample_visible(normalize(widths_.stretch(v)), u)));
     }
     constexpr T pdf_visible(const vec3<T>& v, const vec3<T>& m) const
-        requires(requires(const Profile p) { p.projected_area(v); })
-    {
+        requires(requires(const Profile p) { p.projected_area(v); }) {
         return larger(dot(v, m), T(0)) * D(m) / projected_area(v);
     }
 
@@ -90,11 +84,13 @@ private:
     [[no_unique_address]] Profile profile_;
     Width widths_;
 
-    static_assert(requires(const Profile p, const vec3<T> w, const Width a) {
-        { p.D(w, a) } -> std::same_as<T>;
-    } || requires(const Profile p, const vec3<T> w) {
-        { p.D(w) } -> std::same_as<T>;
-    });
+    static_assert(
+        requires(const Profile p, const vec3<T> w, const Width a) {
+            { p.D(w, a) } -> std::same_as<T>;
+        } ||
+        requires(const Profile p, const vec3<T> w) {
+            { p.D(w) } -> std::same_as<T>;
+        });
 };
 
 }  // namespace lobe

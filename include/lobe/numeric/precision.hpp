@@ -19,9 +19,11 @@ using at_least_double = std::conditional_t<std::same_as<T, float>, double, T>;
 
 /// More digits than double has.
 template <class T>
-inline constexpr bool beyond_double = std::numeric_limits<lane_t<T>>::is_specialized && std::numeric_limits<lane_t<T>>::digits > 64;
+inline constexpr bool beyond_double =
+    std::numeric_limits<lane_t<T>>::is_specialized&& std::numeric_limits<lane_t<T>>::digits > 64;
 
-/// A number that stands for zero, a cosine for instance: its square times the square of a width (1e-4 in float) is still a number.
+/// A number that stands for zero, a cosine for instance: its square times the square of a width (1e-4 in float) is
+/// still a number.
 template <scalar T>
 constexpr T zero_cosine() {
     if constexpr (std::same_as<lane_t<T>, float>)
