@@ -67,16 +67,11 @@ concept samplable_brdf = brdf<B> &&
 template <class Self>
 struct exact_vectors {
     // clang-format off
-    // convert v and l: vec3<T>(v), T the BRDF's scalar
-    template <class V, class L> void f(const V&, const L&) const = delete;
-    // convert v and l: vec3<T>(v), T the BRDF's scalar
-    template <class V, class L> void f_cos(const V&, const L&) const = delete;
-    // convert v and l: vec3<T>(v), T the BRDF's scalar
-    template <class V, class L> void pdf(const V&, const L&) const = delete;
-    // convert v and l: vec3<T>(v), T the BRDF's scalar
-    template <class V, class L> void evaluate(const V&, const L&) const = delete;
-    // convert v and u: vec3<T>(v), T the BRDF's scalar
-    template <class V, class U> void sample(const V&, const U&) const = delete;
+    template <class V, class L> void f(const V&, const L&) const = delete;         // convert them: vec3<T>(v)
+    template <class V, class L> void f_cos(const V&, const L&) const = delete;     // convert them: vec3<T>(v)
+    template <class V, class L> void pdf(const V&, const L&) const = delete;       // convert them: vec3<T>(v)
+    template <class V, class L> void evaluate(const V&, const L&) const = delete;  // convert them: vec3<T>(v)
+    template <class V, class U> void sample(const V&, const U&) const = delete;    // convert them: vec3<T>(v)
     // clang-format on
 };
 
