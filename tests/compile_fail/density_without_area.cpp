@@ -1,7 +1,7 @@
-// error: these normals have no projected area in closed form: write tabulated{...}, built once, or masked_by{...,
-// ggx{alpha{0.3f}}} of: gtr{alpha{0.1f}, 1.0f}; phong{alpha{0.1f}}; abc{alpha{0.1f}, 1.5f}; sgd{alpha{0.1f}, 1.0f};
-// exponential_power{alpha{0.1f}, 2.0f}; of: exponential_power{alpha_xy{0.1f, 0.2f}, 2.0f}; mixture{gtr{alpha{0.1f},
-// 1.0f}, ggx{alpha{0.1f}}, 0.5f}
+// error: these normals have no projected area in closed form: write tabulated{...}, built once
+// of: gtr{alpha{0.1f}, 1.0f}; phong{alpha{0.1f}}; abc{alpha{0.1f}, 1.5f}; sgd{alpha{0.1f}, 1.0f}
+// of: exponential_power{alpha{0.1f}, 2.0f}; exponential_power{alpha_xy{0.1f, 0.2f}, 2.0f}
+// of: mixture{gtr{alpha{0.1f}, 1.0f}, ggx{alpha{0.1f}}, 0.5f}
 #include <lobe/lobe.hpp>
 
 using namespace lobe;

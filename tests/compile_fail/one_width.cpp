@@ -1,6 +1,6 @@
-// error: this family of distributions is not shape-invariant: it has one width, alpha, and no alpha_xy of:
-// phong{alpha_xy{0.3f, 0.2f}}; gtr{alpha_xy{0.3f, 0.2f}, 1.0f}; abc{alpha_xy{0.3f, 0.2f}, 1.5f}; sgd{alpha_xy{0.3f,
-// 0.2f}, 1.0f}; of: blinn_phong{alpha_xy{0.3f, 0.2f}}
+// error: this family of distributions is not shape-invariant: it has one width, alpha, and no alpha_xy
+// of: phong{alpha_xy{0.3f, 0.2f}}; blinn_phong{alpha_xy{0.3f, 0.2f}}; gtr{alpha_xy{0.3f, 0.2f}, 1.0f}
+// of: abc{alpha_xy{0.3f, 0.2f}, 1.5f}; sgd{alpha_xy{0.3f, 0.2f}, 1.0f}
 #include <lobe/lobe.hpp>
 
 using namespace lobe;

@@ -1,10 +1,14 @@
 # cmake -DCOMPILER=path -DINCLUDES="a;b" -DFILE=file.cpp -DWORK=directory -P readable.cmake
-# The first error that the compiler finds in FILE is the sentence behind "// error: " in its first line, in at most 12 lines of output: and so
-# when the first of what it lists behind "// of: " is replaced by each of the others.
+# The first error that the compiler finds in FILE is the sentence behind "// error: " in its first line, in at most 12
+# lines of output: and so when the first of what it lists behind "// of: " is replaced by each of the others.
 file(STRINGS ${FILE} first LIMIT_COUNT 1)
 string(REGEX REPLACE "^// error: " "" sentence "${first}")
 file(STRINGS ${FILE} cases REGEX "^// of: ")
-list(TRANSFORM cases REPLACE "^// of: |;$" "")
+file(STRINGS ${FILE} others REGEX "^// ([^eo]|e[^r]|o[^f])")
+if(others OR NOT cases)
+    message(FATAL_ERROR "${FILE}: a comment that begins with neither // error: nor // of: (reflowed?)")
+endif()
+list(TRANSFORM cases REPLACE "^// of: " "")
 string(REPLACE "; " ";" cases "${cases}")
 list(GET cases 0 original)
 file(READ ${FILE} text)
