@@ -116,8 +116,8 @@ struct from_pbrt {
         lobe::testkit::sampled_light<glm::vec3, float> out{{0, 0, 1}, glm::vec3(0), 0};
         const auto s = bxdf.Sample_f(to(v), u.z, {u.x, u.y}, pbrt::TransportMode::Radiance);
         if (!s) return out;
-        out = {
-            {s->wi.x, s->wi.y, s->wi.z}, glm::vec3(s->f[0], s->f[1], s->f[2]) * (std::abs(s->wi.z) / s->pdf), s->pdf};
+        const glm::vec3 f(s->f[0], s->f[1], s->f[2]);
+        out = {{s->wi.x, s->wi.y, s->wi.z}, f * (std::abs(s->wi.z) / s->pdf), s->pdf};
         return out;
     }
     float pdf(glm::vec3 v, glm::vec3 l) const { return bxdf.PDF(to(v), to(l), pbrt::TransportMode::Radiance); }
@@ -136,8 +136,8 @@ struct from_mitsuba {
     }
     auto sample(glm::vec3 v, glm::vec3 u) const {
         const auto [s, w] = bsdf->sample({}, at(v), u.z, {u.x, u.y});
-        return lobe::testkit::sampled_light<glm::vec3, float>{
-            {s.wo.x(), s.wo.y(), s.wo.z()}, {w[0], w[1], w[2]}, s.pdf};
+        const glm::vec3 l(s.wo.x(), s.wo.y(), s.wo.z()), weight(w[0], w[1], w[2]);
+        return lobe::testkit::sampled_light<glm::vec3, float>{l, weight, s.pdf};
     }
     float pdf(glm::vec3 v, glm::vec3 l) const { return bsdf->pdf({}, at(v), {l.x, l.y, l.z}); }
 };
