@@ -3,7 +3,7 @@
 set -uo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/verify_shader
 run=$here/run.sh
-source "$here/../../tests/setup.sh"
+source "$here/../../scripts/setup.sh"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work"/{tmp,log} && export TMPDIR=$work/tmp # which has to be empty after each run
