@@ -43,8 +43,5 @@ struct spirv_cross_shader;
 struct FragmentResources {
     void init(spirv_cross_shader&) {}
 };
-using VertexResources = FragmentResources;
-using ComputeResources = FragmentResources;
-using spirv_cross_shader_t = spirv_cross_shader;
 
 }  // namespace shader

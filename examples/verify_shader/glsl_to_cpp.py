@@ -6,7 +6,6 @@ gives one subject for each request. Exit status 2, with a line that says why, if
 """
 
 import difflib
-import os
 import re
 import struct
 import subprocess
@@ -18,7 +17,7 @@ shown = re.sub(r'[\x00-\x1f\x7f]', '?', file)
 
 def refuse(why, line=None):
     where = f'{shown}:{line}' if line else shown
-    sys.stderr.buffer.write(os.fsencode(f'{where}: {why}\n'.encode('utf-8', 'surrogateescape').decode('utf-8', 'surrogateescape')))
+    sys.stderr.buffer.write(f'{where}: {why}\n'.encode('utf-8', 'surrogateescape'))
     sys.exit(2)
 
 
@@ -68,7 +67,9 @@ OPTIONS = {
     'world space': 'world_space = true',
     'thorough': 'options.effort = ::lobe::testkit::effort::thorough',
 }
-KIND_OF_OPTION = {'not evenly spread': 'sequence', 'points': 'sequence', 'world space': 'brdf', 'not reciprocal': 'brdf', 'not flat': 'fresnel'}
+KIND_OF_OPTION = {  # the others are every kind's
+    'not evenly spread': 'sequence', 'points': 'sequence', 'world space': 'brdf', 'not reciprocal': 'brdf', 'not flat': 'fresnel',
+}
 
 
 class Function:
@@ -106,21 +107,25 @@ def close(word, words, cutoff):
     return bool(difflib.get_close_matches(word.lower(), words, 1, cutoff))
 
 
-def is_nearly_a_request(text):
-    """Two of these: a word that is nearly `verify`, one that is nearly a kind, a name in quotes with a colon behind it."""
+def resembles_request(text):
+    """Whether its first words are nearly `verify`, nearly a kind, and whether a colon follows a name in quotes."""
     words = re.findall(r'\w+', text)[:3]
-    return (any(close(w, ['verify'], 0.7) for w in words) + any(close(w, KINDS, 0.7) for w in words) + bool(re.search(r'".*"[^"]*:', text))) >= 2
+    return any(close(w, ['verify'], 0.7) for w in words), any(close(w, KINDS, 0.7) for w in words), bool(re.search(r'".*"[^"]*:', text))
+
+
+COMMENT = re.compile(r'//(?:\\\n|[^\n])*|/\*.*?(?:\*/|\Z)', re.S)
 
 
 def requests_of(text):
     requests, last = [], 0
-    for comment in re.finditer(r'//(?:\\\n|[^\n])*|/\*.*?(?:\*/|\Z)', text, re.S):
+    for comment in COMMENT.finditer(text):
         line = text.count('\n', 0, comment.start()) + 1
         words = re.sub(r'\\\n', '  ', comment[0])
         if not words.startswith('//!'):
             for i, words in enumerate(words.split('\n')):
-                if is_nearly_a_request(words) and re.search(r'"[^"]*:', words) and not words.startswith('//-'):
-                    refuse('a request that would not be read: it begins with //! (and one that is switched off, with //-)', line + i)
+                verify, _, named = resembles_request(words)
+                if verify and named and not words.startswith('//-'):
+                    refuse('a request that would not be read: a request begins with //!, and one that is switched off with //-', line + i)
             continue
         words = words[3:].strip()
         follows, last = last + 1 == line and requests, line
@@ -142,7 +147,7 @@ def requests_of(text):
         else:
             m = re.match(r'(\w*)\s*(:?)', words)
             part_of_some = m[2] and (close(m[1], ['sample'], 0.8) or m[1].lower() in ('pdf', 'g1'))
-            if follows or part_of_some or m[1].lower() == 'verify' or is_nearly_a_request(words):
+            if follows or part_of_some or m[1].lower() == 'verify' or sum(resembles_request(words)) >= 2:
                 refuse(f'cannot read this request: {words}', line)
             last = 0  # a comment
             continue
@@ -173,9 +178,10 @@ def glsl_of(requests):
             call = f'lobe_function_{f.number}({", ".join("lobe_in_" + a for a in arguments(f))})'
             if f.type == 'sample':
                 globals_ |= {'lobe_light': 'vec3', 'lobe_weight': 'vec3', 'lobe_pdf': 'float'}
-                code = f.code if re.search(r'\bweight\b', f.code) else f'{f.code}; if (pdf > 0.0) weight = lobe_function_{r[0].number}(n, v, l) / pdf'
-                body = (f'vec3 l = vec3(0.0, 0.0, 1.0); float pdf = 0.0; {f.weight} weight = {f.weight}(0.0); {code}; '
-                        'lobe_light = l; lobe_weight = vec3(weight); lobe_pdf = pdf;')
+                code = f'vec3 l = vec3(0.0, 0.0, 1.0); float pdf = 0.0; {f.weight} weight = {f.weight}(0.0); {f.code}; '
+                if not re.search(r'\bweight\b', f.code):
+                    code += f'if (pdf > 0.0) weight = lobe_function_{r[0].number}(n, v, l) / pdf; '
+                body = code + 'lobe_light = l; lobe_weight = vec3(weight); lobe_pdf = pdf;'
                 functions.append((f.line, f'void lobe_function_{f.number}({f.parameters}) {{ {body} }}'))
                 cases.append(f'if (lobe_which == {f.number}) {call};')
             else:
@@ -191,99 +197,83 @@ def glsl_of(requests):
 
 # ---- As SPIR-V: made of preprocessed GLSL of one version, in which the shader's inputs are variables that a request may set.
 
+def run(*command):
+    return subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors='replace')
+
+
 def glslang(arguments_, suffix, text):
     path = f'{folder}/shader.{suffix}'
     with open(path, 'w', encoding='utf-8') as f:
         f.write(text)
-    return subprocess.run(['glslangValidator', *arguments_, path], stdin=subprocess.DEVNULL, capture_output=True, text=True, errors='replace')
+    return run('glslangValidator', *arguments_, path)
 
 
 def first_error(result):
-    """Line and words of glslang's first error."""
+    """Its line, and what it says."""
     lines = (result.stdout + result.stderr).split('\n')
     for line in lines:
         if m := re.match(r'ERROR: (?:.*?shader\.\w+|\d+):(\d+): (.*)', line):
-            return int(m[1]), m[2].strip()
-    linking = [line.strip() for line in lines if line.startswith('ERROR: Linking')]
-    more = [line.strip() for line in lines if line.startswith('    ')]
-    return None, ' '.join((linking or ['glslang fails'])[:1] + more[:1])
+            return int(m[1]), f'does not compile: {m[2].strip()}'
+    for line, more in zip(lines, lines[1:]):
+        if m := re.match(r'ERROR: Linking \w+ stage: (.*)', line):
+            return None, f'does not link: {m[1].strip()} {more.strip()}'
+    return None, f'does not compile: {" ".join(" ".join(lines).split())}'
 
 
-QUALIFIER = (r'layout\s*\([^()]*\)|uniform|varying|attribute|in|out|inout|buffer|shared|flat|smooth|noperspective|centroid|sample|patch|'
-             r'invariant|precise|coherent|volatile|restrict|readonly|writeonly|lowp|mediump|highp|const')
-OPAQUE = r'[iu]?(sampler|image|texture|subpassInput)\w*|atomic_uint|accelerationStructure\w+'
+WORDS = ('uniform varying attribute in out shared buffer flat smooth noperspective centroid sample patch invariant precise '
+         'coherent volatile restrict readonly writeonly lowp mediump highp const row_major column_major').split()
+QUALIFIERS = rf'(?:(?:layout\s*\([^()]*\)|\b(?:{"|".join(WORDS)})\b)\s*)'
+DECLARATION = re.compile(rf'((?:\s|#[^\n]*|;)*)({QUALIFIERS}*)(\w*)\s*([{{;]?)')
+SHAPE = r'(1D|2D|3D|Cube|Buffer|External|_)\w*'
+OPAQUE = re.compile(rf'[iu]?(sampler|image|texture){SHAPE}|sampler(Shadow)?|[iu]?subpassInput\w*|atomic_uint|accelerationStructure\w+')
+OF_VULKAN = re.compile(rf'\b([iu]?texture{SHAPE}|sampler|samplerShadow|[iu]?subpassInput\w*)\s+\w+\s*[;\[]')
 
 
-def end_of(text, start, opening='{', closing='}'):
+def newlines(match):
+    return '\n' * match[0].count('\n')
+
+
+def end_of_declaration(text, start):
+    """Behind the `}` of a function, else behind the `;`."""
+    at = re.compile(r'[;{]|\Z').search(text, start).start()
+    if text[at:at + 1] != '{':
+        return at + 1
+    function = text[:at].rstrip().endswith(')')
     depth = 0
-    for m in re.compile('[%s%s]' % (re.escape(opening), re.escape(closing))).finditer(text, start):
-        depth += 1 if m[0] == opening else -1
-        if depth == 0:
-            return m.end()
+    for m in re.compile('[{}]').finditer(text, at):
+        depth += 1 if m[0] == '{' else -1
+        if not depth:
+            return m.end() if function else end_of_declaration(text, m.end())
     return len(text)
 
 
-def newlines(text):
-    return '\n' * text.count('\n')
-
-
 def with_plain_variables(text):
-    """What the pipeline gives to a shader is a variable here: uniforms, inputs, outputs; the blocks of them are structs."""
-    out, at = [], 0
-    qualified = re.compile(r'(?:\s|^[ \t]*#[^\n]*\n|;)*((?:(?:%s)(?![\w])\s*)*)' % QUALIFIER, re.M)
+    """What the pipeline gives to a shader is a variable here: its uniforms, inputs and outputs; a block of them is a struct."""
+    out, at = '', 0
     while at < len(text):
-        m = qualified.match(text, at)
-        qualifiers, start = m[1], m.end()
-        out.append(text[at:m.start(1)])
-        kept = ' '.join(re.findall(r'\b(?:lowp|mediump|highp|const|invariant|precise)\b', qualifiers))
-        rest = re.compile(r'(\w*)\s*([{;]?)').match(text, start)
-        constant = re.search(r'constant_id', qualifiers)
-        if re.search(r'\b(uniform|varying|attribute|in|out|shared)\b', re.sub(r'\([^()]*\)', '', qualifiers)) or constant:
-            if rest[2] == ';' or not rest[1] or rest[1].startswith('gl_'):  # layout(...) in;
-                start = text.find(';', end_of(text, start) if rest[2] == '{' else start) + 1 or len(text)
-                out.append(newlines(text[m.start(1):start]))
-                at = start
+        m = DECLARATION.match(text, at)
+        blank, qualifiers, word, then = m.groups()
+        at = end_of_declaration(text, m.end(2))
+        rest = text[m.end(2):at]
+        words = re.sub(r'\([^()]*\)', ' ', qualifiers).split()
+        if {'uniform', 'varying', 'attribute', 'in', 'out', 'shared'} & {*words} or 'constant_id' in qualifiers:
+            if OPAQUE.fullmatch(word):
+                out += blank + re.sub(r'\bset\s*=', 'binding =', qualifiers) + rest  # sets are Vulkan's only
                 continue
-            if re.fullmatch(OPAQUE, rest[1]):
-                out.append(re.sub(r'\bset\s*=\s*\d+\s*,|,\s*set\s*=\s*\d+|layout\s*\(\s*set\s*=\s*\d+\s*\)', '', qualifiers) if not vulkan(text) else qualifiers)
-            elif rest[2] == '{':
-                body_end = end_of(text, start)
-                body = text[rest.end():body_end - 1]
-                body = re.sub(r'\b(layout\s*\([^()]*\)|row_major|column_major|flat|smooth|noperspective|centroid|in|out|uniform)(?!\w)', lambda q: newlines(q[0]), body)
-                named = re.compile(r'\s*\w').match(text, body_end)
-                if named:
-                    out.append(newlines(qualifiers) + 'struct ' + text[start:rest.end()] + body + '}')
-                    at = body_end
-                else:  # its members are the shader's globals
-                    at = text.find(';', body_end) + 1 or len(text)
-                    out.append(newlines(text[m.start(1):rest.end()]) + body + newlines(text[body_end:at]))
-                    continue
-                at = text.find(';', body_end) + 1 or len(text)
-                out.append(text[body_end:at])
-                continue
-            else:
-                out.append(newlines(qualifiers) + kept + ' ')
-        else:
-            out.append(qualifiers)
-        # to the end of the declaration or of the function
-        stop = re.compile(r'[;{]|\Z').search(text, start)
-        if stop[0] == '{':
-            at = end_of(text, stop.start())
-            if not re.search(r'\)\s*$', text[start:stop.start()]):  # a struct, or a list of initial values
-                at = text.find(';', at) + 1 or len(text)
-        else:
-            at = stop.end()
-        out.append(text[start:at])
-        if at == m.start():
-            break
-    return ''.join(out)
+            if not word or then == ';' or word.startswith('gl_'):  # layout(...) in;
+                rest = re.sub(r'(?s).+', newlines, rest)
+            elif then == '{':
+                rest = re.sub(QUALIFIERS, newlines, rest)
+                if re.search(r'}\s*;\Z', rest):  # its members are variables
+                    rest = re.sub(r'}\s*;\Z', newlines, re.sub(r'\A\w+\s*{', newlines, rest))
+                else:
+                    rest = 'struct ' + rest
+            qualifiers = re.sub(r'(?s).+', newlines, qualifiers) + ('const ' if 'const' in words else '')
+        out += blank + qualifiers + rest
+    return out
 
 
-def vulkan(text):
-    return re.search(r'\blayout\s*\([^()]*\b(set|push_constant|input_attachment_index)\b|\bu?i?texture[123]D\w*\s+\w+\s*;', text)
-
-
-LATER_KEYWORDS = 'sample patch subroutine precise buffer shared coherent restrict readonly writeonly resource'
+LATER_KEYWORDS = 'sample|patch|subroutine|precise|buffer|shared|coherent|restrict|readonly|writeonly'
 EARLIER_NAMES = '''vec4 lobe_FragColor, lobe_FragData[8];
 #define gl_FragColor lobe_FragColor
 #define gl_FragData lobe_FragData
@@ -298,53 +288,49 @@ EARLIER_NAMES = '''vec4 lobe_FragColor, lobe_FragData[8];
 
 
 def spirv_of(text, requests):
-    version = re.search(r'^\s*#\s*version\s+(\d+)(?:\s+(es)\b)?', re.sub(r'//[^\n]*|/\*.*?\*/', '', text, flags=re.S), re.M)
-    number, es = (int(version[1]), version[2] or int(version[1]) == 100) if version else (460, None)
-    if m := re.search(r'^[ \t]*#[ \t]*include\b', text, re.M):
-        refuse('#include is not supported', text.count('\n', 0, m.start()) + 1)
-    stage = 'vert' if re.search(r'\bgl_Position\s*=', text) else 'comp' if re.search(r'\blocal_size_[xyz]\b', text) else 'frag'
+    bare = COMMENT.sub(newlines, text)
+    version = re.search(r'^\s*#\s*version\s+(\d+)(\s+es\b)?', bare, re.M)
+    number = int(version[1]) if version else 460
+    if m := re.search(r'^[ \t]*#[ \t]*include\b', bare, re.M):
+        refuse('#include is not supported', bare.count('\n', 0, m.start()) + 1)
+    stage = 'vert' if re.search(r'\bgl_Position\b', bare) else 'comp' if re.search(r'\blocal_size_[xyz]\b', bare) else 'frag'
 
     glsl, names = glsl_of(requests)
-    result = glslang(['-E'], stage, ('' if version else '#version 460\n#line 1\n') + text + '\n' + glsl)
-    if result.returncode:
-        line, why = first_error(result)
-        refuse(f'does not compile: {why}', line)
-    code = re.sub(r'^[ \t]*#[ \t]*version\b.*\n', '\n' if version else '', result.stdout, count=1, flags=re.M)
-    if es:
+    text = re.sub(r'\b__FILE__\b', '0', text)  # for which glslang wants an extension
+    preprocessed = glslang(['-E'], stage, ('' if version else '#version 460\n#line 1\n') + text + '\n' + glsl)
+    if preprocessed.returncode:
+        line, why = first_error(preprocessed)
+        refuse(why, line)
+    code = re.sub(r'^[ \t]*#[ \t]*version\b.*\n', '\n' if version else '', preprocessed.stdout, count=1, flags=re.M)
+    code = re.sub(r'\blobe_main\b', 'main', re.sub(r'\bmain\b', 'lobe_main_of_the_shader', code))
+    if not version:
+        code = re.sub(r'\bsample(?=\s*\()', 'sample_', code)
+    elif (number == 100 or number < 400 and not version[2]) and '#extension' not in code:
+        code = re.sub(rf'\b({LATER_KEYWORDS})\b', r'\1_', code)
+    if number < 400:  # what they extend is in 460, or not in a function of a BRDF
         code = re.sub(r'^[ \t]*#[ \t]*extension\b.*', '', code, flags=re.M)
-    code = re.sub(r'\bmain\b', 'lobe_main_of_the_shader', code)
-    code = re.sub(r'\blobe_main\b', 'main', code)
-    if number < 400:
-        for word in LATER_KEYWORDS.split():
-            if not re.search(r'\b(%s)\s+(in|out|\w+\s+\w+\s*[;{])' % word, code) or word == 'sample':
-                code = re.sub(r'\b%s\b' % word, word + '_', code)
-    code = with_plain_variables(code)
-    head = '#version 460\n' + (EARLIER_NAMES if number < 130 else '') + '#line 1\n'
-    if number < 130:  # extensions stand before all code
-        code = re.sub(r'^[ \t]*#[ \t]*extension\b.*', '', code, flags=re.M)
-    target = ['-V' if vulkan(code) else '-G', '-g', '--quiet', '--auto-map-bindings', '--auto-map-locations', '-o', f'{folder}/shader.spv']
-    return glslang(target, stage, head + code), names
+    options = ['-V' if OF_VULKAN.search(code) else '-G', '-g', '--auto-map-bindings', '--auto-map-locations', '-o', f'{folder}/shader.spv']
+    code = '#version 460\n' + (EARLIER_NAMES if number < 400 else '') + '#line 1\n' + with_plain_variables(code)
+    return glslang(options, stage, code), names
 
 
 def compiled(text, requests):
     """A weight is a vec3, or a float where only that compiles."""
-    first = None
-    while True:
-        result, names = spirv_of(text, requests)
-        if not result.returncode:
-            break
-        line, why = first_error(result)
-        first = first or (line, why)
-        tried = [f for r in requests for f in r if f.line == line and f.type == 'sample' and f.weight == 'vec3']
-        if not tried:
-            line, why = first if any(f.line == line for r in requests for f in r if f.type == 'sample') else (line, why)
-            refuse(f'does not compile: {why}', line)
-        tried[0].weight = 'float'
+    while (result_names := spirv_of(text, requests))[0].returncode:
+        error = first_error(result_names[0])
+        weights = [f for r in requests for f in r if f.type == 'sample' and f.line == error[0]]
+        if not weights or weights[0].weight == 'float':
+            refuse(weights[0].error if weights else error[1], error[0])
+        weights[0].weight, weights[0].error = 'float', error[1]
     with open(f'{folder}/shader.spv', 'rb') as f:
         data = f.read()
-    return list(struct.unpack(f'<{len(data) // 4}I', data)), names
+    return list(struct.unpack(f'<{len(data) // 4}I', data)), result_names[1]
 
 
+OP_NAME, OP_MEMBER_NAME, OP_LINE, OP_ENTRY_POINT, OP_EXECUTION_MODE, OP_VARIABLE, OP_DECORATE = 5, 6, 8, 15, 16, 59, 71
+FRAGMENT = 4
+POINTERS = {57: slice(3, None), 61: slice(2, 3), 62: slice(0, 1), 65: slice(2, 3)}  # OpFunctionCall, OpLoad, OpStore, OpAccessChain
+STORAGE = {0: 'a texture', 1: 'a gl_ input', 2: 'a buffer', 3: 'a gl_ output', 12: 'a buffer'}
 UNSUPPORTED = {
     'discard': [252, 4416, 5380],
     'a texture': range(86, 108),
@@ -354,33 +340,43 @@ UNSUPPORTED = {
 }
 
 
-def without_names(words, names):
-    """SPIR-V without names but ours, so that none can be one of C++'s; refuses what a function cannot do alone."""
-    out, at, line, name_of, outside = words[:5], 5, None, {}, {}
+def instructions(words):
+    at = 5
     while at < len(words):
-        count, operation = words[at] >> 16, words[at] & 0xffff
-        instruction = words[at:at + count]
+        count = words[at] >> 16
+        yield words[at] & 0xffff, words[at + 1:at + count]
         at += count
-        if operation in (5, 6):  # OpName, OpMemberName
-            if operation == 5:
-                name = struct.pack(f'<{count - 2}I', *instruction[2:]).split(b'\0')[0].decode('utf-8', 'replace')
-                name_of[instruction[1]] = name
-            if operation == 6 or name not in names:
-                continue
-        elif operation == 8:  # OpLine
-            line = instruction[2]
-        elif operation == 59 and instruction[3] in (0, 1, 2, 3, 9, 12):  # OpVariable of the pipeline
-            outside[instruction[2]] = instruction[3]
+
+
+def stripped(words, names):
+    """SPIR-V without the pipeline, which no function here may use, and without names but ours: C++ has its own reserved ones."""
+    name_of, pipeline, line = {}, {}, None
+    for operation, operands in instructions(words):
+        if operation == OP_NAME:
+            name_of[operands[0]] = struct.pack(f'<{len(operands) - 1}I', *operands[1:]).split(b'\0')[0].decode('utf-8', 'replace')
+        elif operation == OP_LINE:
+            line = operands[1]
+        elif operation == OP_VARIABLE and operands[2] in STORAGE:
+            pipeline[operands[1]] = STORAGE[operands[2]]
         for what, operations in UNSUPPORTED.items():
             if operation in operations:
                 refuse(f'{what} is not supported', line)
-        pointers = {61: instruction[3:4], 62: instruction[1:2], 65: instruction[3:4], 57: instruction[4:]}.get(operation, [])
-        for pointer in pointers:
-            if pointer in outside:
-                name = name_of.get(pointer) or 'gl_... or the members of a block'
-                what = {0: 'a texture', 1: 'an input', 3: 'an output'}.get(outside[pointer], 'a buffer block')
-                refuse(f"'{name}', {what}, is not supported", line)
-        out += instruction
+        for pointer in operands[POINTERS[operation]] if operation in POINTERS else ():
+            if pointer in pipeline:
+                named = f' ({name_of[pointer]})' if name_of.get(pointer) else ''
+                refuse(f'{pipeline[pointer]}{named} is not supported', line)
+
+    out = words[:5]
+    for operation, operands in instructions(words):
+        if operation == OP_MEMBER_NAME or operation == OP_NAME and name_of[operands[0]] not in names:
+            continue
+        if operation == OP_VARIABLE and operands[1] in pipeline or operation == OP_DECORATE and operands[0] in pipeline:
+            continue
+        if operation == OP_EXECUTION_MODE:
+            continue
+        if operation == OP_ENTRY_POINT:  # stage, function, its name, the pipeline
+            operands = [FRAGMENT, operands[1]] + [word for word in operands[2:] if word not in pipeline]
+        out += [len(operands) + 1 << 16 | operation, *operands]
     return out
 
 
@@ -389,11 +385,14 @@ def without_names(words, names):
 def cpp_of(words):
     with open(f'{folder}/shader.spv', 'wb') as f:
         f.write(struct.pack(f'<{len(words)}I', *words))
-    result = subprocess.run(['spirv-cross', '--cpp', '--emit-line-directives', f'{folder}/shader.spv'], capture_output=True, text=True, errors='replace')
+    result = run('spirv-cross', '--cpp', '--emit-line-directives', f'{folder}/shader.spv')
     m = re.search(r'^namespace Impl\n.*?^}\n', result.stdout, re.M | re.S)
     if result.returncode or not m:
         refuse(f'SPIRV-Cross cannot write it as C++: {" ".join(result.stderr.split())}')
-    return m[0].replace('std::array<', 'array<').replace('not(', 'not_(')
+    code = m[0].replace('std::array<', 'array<')
+    code = re.sub(r'\bnot\(', 'not_(', code)
+    constant = re.compile(r'^        const .*;\n', re.M)  # these stand before the structs that they may be of
+    return constant.sub('', code).replace('        struct Resources', ''.join(constant.findall(code)) + '        struct Resources', 1)
 
 
 def literal(text):
@@ -416,7 +415,7 @@ shader = read()
 asked = requests_of(shader)
 spirv, named = compiled(shader, asked)
 print('#include "glsl.hpp"\nnamespace shader {')
-print(cpp_of(without_names(spirv, named)))
+print(cpp_of(stripped(spirv, named)))
 print('#line 1 "requests"\nstd::vector<::subject> requested() {\nstd::vector<::subject> all;')
 for r in asked:
     print('\n'.join(subject_of(r)))
