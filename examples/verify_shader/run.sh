@@ -5,11 +5,12 @@
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 source "$here/../../scripts/setup.sh"
-need g++ libglm-dev
+need g++ libglm-dev glslang-tools python3 spirv-cross
 export LC_ALL=C
 
 all=()
 [[ ${1-} == --all ]] && all=(--all) && shift
+[[ ${1-} == -- ]] && shift
 files=("$@")
 (($#)) || files=("$here"/{right,tutorial_mistakes,errata}.glsl)
 
@@ -17,28 +18,25 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 compile() { "${CXX:-c++}" -std=c++20 -O2 -w -DGLM_FORCE_SWIZZLE -I"$here" -I"$here/../../include" "$@"; }
 
-refuse() {
-    echo "$1" >&2
+refuse() { # why, of the file
+    echo "${file//[[:cntrl:]]/?}: $1" >&2
     exit 2
-}
-
-# What is wrong, in a line: the first error in the shader, else the first of all.
-complaint() { # file
-    { grep -F -- "$1:" "$work/errors" | grep -m 1 'error:' || grep -m 1 -E 'error:|undefined' "$work/errors"; } |
-        sed -E 's/:([0-9]+):[0-9]+: /:\1: /; s/(fatal )?error: /does not compile: /; s/^.*: undefined/undefined/; s/shader:://g'
 }
 
 verify() ( # file
     file=$1 status=0
-    [[ -f $file && -r $file ]] || refuse "$file: there is no such file, or it cannot be read"
-    "$here/glsl_to_cpp.sh" "$file" >"$work/shader.cpp" || exit 2
-    compile -c "$work/shader.cpp" -o "$work/shader.o" 2>"$work/errors" || refuse "$(complaint "$file")"
+    [[ -e $file ]] || refuse "there is no such file"
+    [[ ! -d $file ]] || refuse "is a folder"
+    [[ -f $file && -r $file ]] || refuse "cannot be read"
+    python3 "$here/glsl_to_cpp.py" "$file" "$work" >"$work/shader.cpp" || exit 2
+    compile -c "$work/shader.cpp" -o "$work/shader.o" 2>"$work/errors" ||
+        refuse "is GLSL, but does not compile as C++: $(sed -nE 's/.*(fatal )?error: //p' "$work/errors" | head -n 1)"
     # The half that is the same for every shader: the test kit.
     [[ -f $work/main.o ]] || compile -c "$here/main.cpp" -o "$work/main.o"
-    compile "$work/main.o" "$work/shader.o" -o "$work/verify" 2>"$work/errors" || refuse "$file: does not link: $(complaint "$file")"
+    compile "$work/main.o" "$work/shader.o" -o "$work/verify"
 
     "$work/verify" "${all[@]}" | sed -E 's/glm::(vec[23]) (\w+)\{([^}]*)\}/\1 \2 = \1(\3)/g' || status=$? # inputs as GLSL writes them
-    ((status <= 1)) || refuse "$file: the program that was made of it ended with status $status"
+    ((status <= 1)) || refuse "the program that was made of it ended with status $status"
     exit "$status"
 )
 

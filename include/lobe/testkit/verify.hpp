@@ -26,8 +26,8 @@ struct property_list : Property<T, N>... {
 };
 template <class T, std::size_t N>
 using properties = property_list<T, N,  // in the order of the report
-                                 callable, values_of_f, steady, values_of_sampling, reciprocity, isotropy, evaluate, furnace,
-                                 furnace_of_light, density_of_samples, unbiased, weights, stray_samples>;
+                                 callable, values_of_f, steady, values_of_sampling, reciprocity, isotropy, evaluate,
+                                 furnace, furnace_of_light, density_of_samples, unbiased, weights, stray_samples>;
 
 template <class T, std::size_t N>
 report verdict_on(const brdf_functions<T, N>& brdf, const options& o) {
@@ -83,16 +83,18 @@ report verdict_on(const brdf_functions<T, N>& brdf, const options& o) {
 
 }  // namespace detail
 
-/// Judges any type with `f_cos(v, l)`, or a function of (v, l) that returns it: f(v,l) cos(theta_l), in tangent space, directions pointing
-/// away from the surface. A scalar or rgb (or any spectrum that [] reads), in float or double. `sample(v, u)`, which returns l, weight and
-/// pdf of two random numbers, or of three where it takes no two, and `pdf(v, l)` are verified where they exist, each on its own.
+/// Judges any type with `f_cos(v, l)`, or a function of (v, l) that returns it: f(v,l) cos(theta_l), in tangent space,
+/// directions pointing away from the surface. A scalar or rgb (or any spectrum that [] reads), in float or double.
+/// `sample(v, u)`, which returns l, weight and pdf of two random numbers, or of three where it takes no two, and
+/// `pdf(v, l)` are verified where they exist, each on its own.
 template <class B>
 [[nodiscard]] report(verify)(const B& brdf, const options& o = {}) {
     using detail::has_any_f_cos, detail::returns_spectrum;
     constexpr bool callable = has_any_f_cos<B, vec3<double>> || has_any_f_cos<B, vec3<float>>;
     static_assert(callable, "no f_cos(v, l), nor a call (v, l), that is const and takes glm::vec3 or glm::dvec3");
     constexpr bool fits = returns_spectrum<B, vec3<double>> || returns_spectrum<B, vec3<float>>;
-    static_assert(fits || !callable, "f_cos returns no spectrum: a number, a GLM vector, what has begin() and end(), or r, g, b");
+    static_assert(fits || !callable,
+                  "f_cos returns no spectrum: a number, a GLM vector, what has begin() and end(), or r, g, b");
     if constexpr (fits)
         return detail::verdict_on(detail::interface_of(brdf), o);
     else

@@ -57,9 +57,9 @@ report verdict_on(const distribution_functions<T>& ndf, const options& o) {
 
 }  // namespace detail
 
-/// Judges any type with `D(m)`, or a function of m that returns it: the density of normals in 1/sr, m unit, in tangent space. Verified
-/// where they exist: one of `projected_area(w)`, `lambda(w)`, `G1(w)` (Smith); `sample(u)` and `pdf(m)`; `sample_visible(v, u)` and
-/// `pdf_visible(v, m)`.
+/// Judges any type with `D(m)`, or a function of m that returns it: the density of normals in 1/sr, m unit, in tangent
+/// space. Verified where they exist: one of `projected_area(w)`, `lambda(w)`, `G1(w)` (Smith); `sample(u)` and
+/// `pdf(m)`; `sample_visible(v, u)` and `pdf_visible(v, m)`.
 template <class N>
 [[nodiscard]] report verify_distribution(const N& ndf, const options& o = {}) {
     return detail::verdict_on(detail::interface_of_distribution(ndf), o);

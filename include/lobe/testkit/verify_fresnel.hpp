@@ -23,12 +23,13 @@ report verdict_on(const fresnel_functions<T, N>& functions, const options& o) {
 
 }  // namespace detail
 
-/// Judges any callable F(cos) of the cosine between the direction and the (micro)normal, a scalar or rgb; `average()`, its cosine-weighted
-/// mean 2 int F(u) u du, where it exists.
+/// Judges any callable F(cos) of the cosine between the direction and the (micro)normal, a scalar or rgb; `average()`,
+/// its cosine-weighted mean 2 int F(u) u du, where it exists.
 template <class F>
 [[nodiscard]] report verify_fresnel(const F& fresnel, const options& o = {}) {
     constexpr bool returns_a_spectrum = detail::fresnel_fits<F, double> || detail::fresnel_fits<F, float>;
-    static_assert(returns_a_spectrum, "F(cosine) returns no spectrum: a number, a GLM vector, what has begin() and end(), or r, g, b");
+    static_assert(returns_a_spectrum,
+                  "F(cosine) returns no spectrum: a number, a GLM vector, what has begin() and end(), or r, g, b");
     if constexpr (returns_a_spectrum)
         return detail::verdict_on(detail::interface_of_fresnel(fresnel), o);
     else

@@ -15,8 +15,10 @@ template <class T>
 report verdict_on(const points& p, const options& o) {
     report r(o.name);
     inside<T>(p, r);
-    r.add(id::points_enough,
-          {.passed = p.size() >= 64, .measured = static_cast<double>(p.size()), .expected = 64, .meaning = "too few to say more"});
+    r.add(id::points_enough, {.passed = p.size() >= 64,
+                              .measured = static_cast<double>(p.size()),
+                              .expected = 64,
+                              .meaning = "too few to say more"});
     if (!r.passed()) return r;
     distinct<T>(p, r);
     if (!o.low_discrepancy) return r;

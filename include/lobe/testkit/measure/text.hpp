@@ -25,7 +25,8 @@ std::string literal(T x) {
 }
 template <glm::length_t N, class T>
 std::string literal(const char* name, const glm::vec<N, T, glm::defaultp>& w) {
-    std::string text = std::string(std::is_same_v<T, float> ? "glm::vec" : "glm::dvec") + std::to_string(N) + " " + name + "{";
+    std::string text =
+        std::string(std::is_same_v<T, float> ? "glm::vec" : "glm::dvec") + std::to_string(N) + " " + name + "{";
     for (glm::length_t i = 0; i < N; ++i) text += (i ? ", " : "") + literal(w[i]);
     return text + "}; ";
 }

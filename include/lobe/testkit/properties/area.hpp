@@ -21,8 +21,8 @@ template <class T>
 void areas(distribution<T>& n, report& r) {
     using V = vec3<T>;
     if (!n.raw.area) return;
-    per_view identity(id::area_of_normals,
-                      "the masking belongs to another distribution or width, or is an approximation (then ask for a larger tolerance)");
+    per_view identity(id::area_of_normals, "the masking belongs to another distribution or width, or is an "
+                                           "approximation (then ask for a larger tolerance)");
     for (const V& v : n.views(n.area_everywhere)) {
         const auto exact = n.area_by_quadrature(normalize(vec3<double>(v)));
         // Below the horizon the area is what rounding leaves of the area above: relative to |cos|, too.
@@ -36,9 +36,11 @@ void areas(distribution<T>& n, report& r) {
     identity.report_to(r);
     if (!n.raw.lambda) return;
     comparison<T> both(id::area_by_lambda, n.claims.tolerance, "the two are formulas of different widths or models");
-    for (const V& v : n.views(false)) both.add(static_cast<double>(v.z) * (1 + n.raw.lambda(v)), n.area(v), {.v = v, .has_l = false});
-    both.report_to(
-        r, [&](const place<T>& at, std::size_t) { return 2 * rounding_noise<T>([&](const V& v, const V&) { return n.raw.area(v); }, at); });
+    for (const V& v : n.views(false))
+        both.add(static_cast<double>(v.z) * (1 + n.raw.lambda(v)), n.area(v), {.v = v, .has_l = false});
+    both.report_to(r, [&](const place<T>& at, std::size_t) {
+        return 2 * rounding_noise<T>([&](const V& v, const V&) { return n.raw.area(v); }, at);
+    });
 }
 
 }  // namespace detail

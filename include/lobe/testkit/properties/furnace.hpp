@@ -21,18 +21,24 @@ public:
     using typename brdf_property<T, N>::view;
     explicit furnace(subject<T, N>& judged)
         : brdf_property<T, N>(judged),
-          of_view(judged.claims.lossless ? id::lossless_furnace : id::furnace,
-                  "energy is created: a missing 1/pi or 1/4, a D that is not normalised, a masking above 1, a diffuse part that does not "
-                  "give up what the specular part reflects, or a compensation with the wrong average",
-                  judged.claims.lossless ? relation::equal : relation::at_most,
-                  "energy is lost: single scattering only, a factor too many, or a compensation with the wrong average") {}
+          of_view(
+              judged.claims.lossless ? id::lossless_furnace : id::furnace,
+              "energy is created: a missing 1/pi or 1/4, a D that is not normalised, a masking above 1, a diffuse part "
+              "that does not "
+              "give up what the specular part reflects, or a compensation with the wrong average",
+              judged.claims.lossless ? relation::equal : relation::at_most,
+              "energy is lost: single scattering only, a factor too many, or a compensation with the wrong average") {}
 
     /// int f(v,l) cos(theta_l) dl.
     void at_view(const view& from) override {
         const auto& E = from.reflected;
         for (std::size_t k = 0; k < N; ++k)
             if (!is_padding<N>(k, E.value[k]))
-                of_view.add({.measured = E.value[k], .expected = 1, .allowed = from.allowed + E.error[k], .v = from.w, .input = from.text});
+                of_view.add({.measured = E.value[k],
+                             .expected = 1,
+                             .allowed = from.allowed + E.error[k],
+                             .v = from.w,
+                             .input = from.text});
     }
     void report_to(report& r) override { of_view.report_to(r); }
 
@@ -49,7 +55,8 @@ public:
           of_light(judged.claims.lossless ? id::lossless_furnace_of_light : id::furnace_of_light,
                    "light from one direction is returned more than once: the compensation looks at the viewer only",
                    judged.claims.lossless ? relation::equal : relation::at_most,
-                   "light from one direction is lost: single scattering only, or a compensation that looks at the viewer only") {}
+                   "light from one direction is lost: single scattering only, or a compensation that looks at the "
+                   "viewer only") {}
 
     /// int f(v,l) cos(theta_v) dv, the view's direction taken for that of the light.
     void at_view(const view& from) override {
@@ -67,7 +74,8 @@ public:
             8, 16, N);
         integrate(over_v, from.chart, from.w, {}, brdf.effort, N);
         const double allowed =
-            brdf.claims.tolerance + relative_rounding<T>(over_v, from.chart, l, [&](const V& a, const V& c) { return brdf.total(c, a); });
+            brdf.claims.tolerance +
+            relative_rounding<T>(over_v, from.chart, l, [&](const V& a, const V& c) { return brdf.total(c, a); });
         for (std::size_t k = 0; k < N; ++k)
             if (!is_padding<N>(k, over_v.integral()[k]))
                 of_light.add({.measured = over_v.integral()[k],

@@ -14,9 +14,10 @@ namespace lobe::testkit {
 
 namespace id {
 inline constexpr property_id pdf_at_most_1{"pdf_at_most_1", "integral of the pdf is at most 1"};
-inline constexpr detail::density_ids pdf_of_samples{{"pdf_integral", "integral of the pdf = successes", true},
-                                                    {"pdf_means", "means of samples = means of the pdf", true},
-                                                    {"samples_follow_pdf", "samples follow the pdf (chi-squared)", true}};
+inline constexpr detail::density_ids pdf_of_samples{
+    {"pdf_integral", "integral of the pdf = successes", true},
+    {"pdf_means", "means of samples = means of the pdf", true},
+    {"samples_follow_pdf", "samples follow the pdf (chi-squared)", true}};
 inline constexpr property_id pdf_covers_f{"pdf_covers_f", "pdf > 0 where f_cos > 0"};
 inline constexpr property_id mean_weight{"mean_weight", "mean weight = furnace", true};
 inline constexpr property_id weighted_means{"weighted_means", "weighted means of samples = of f_cos", true};
@@ -32,7 +33,8 @@ class density_of_samples : public brdf_property<T, N> {
 public:
     using typename brdf_property<T, N>::view, typename brdf_property<T, N>::V;
     explicit density_of_samples(subject<T, N>& judged)
-        : brdf_property<T, N>(judged), at_most(id::pdf_at_most_1, "it is no density: a factor or a Jacobian is wrong", relation::at_most),
+        : brdf_property<T, N>(judged),
+          at_most(id::pdf_at_most_1, "it is no density: a factor or a Jacobian is wrong", relation::at_most),
           followed(id::pdf_of_samples, judged.claims, static_cast<int>(views(judged).size())) {}
 
     void at_view(const view& from) override {
@@ -112,9 +114,10 @@ public:
 
 private:
     per_view covered{id::pdf_covers_f, "the sampler never goes where the BRDF reflects: that light is lost"};
-    per_view mean_weight{id::mean_weight, "the estimator is biased: the weight or the pdf does not belong to the samples"};
-    per_view means{id::weighted_means,
-                   "the estimator is biased: the samples are wider, narrower, more tilted or more to one side than their weights say"};
+    per_view mean_weight{id::mean_weight,
+                         "the estimator is biased: the weight or the pdf does not belong to the samples"};
+    per_view means{id::weighted_means, "the estimator is biased: the samples are wider, narrower, more tilted or more "
+                                       "to one side than their weights say"};
 };
 
 /// Weight and density of each sample against the functions.
@@ -123,7 +126,8 @@ class weights : public brdf_property<T, N> {
 public:
     using typename brdf_property<T, N>::sample;
     explicit weights(subject<T, N>& judged)
-        : brdf_property<T, N>(judged), product(id::weight_times_pdf, judged.claims.tolerance, "the weight of a sample is not f_cos / pdf"),
+        : brdf_property<T, N>(judged),
+          product(id::weight_times_pdf, judged.claims.tolerance, "the weight of a sample is not f_cos / pdf"),
           same_pdf(id::same_pdf, judged.claims.tolerance,
                    "sample and pdf are two formulas: another width, another measure, or another lobe") {}
 

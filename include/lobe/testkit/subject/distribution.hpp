@@ -36,7 +36,8 @@ auto scalar_of_distribution() {
     if constexpr (requires { typename N::scalar; })
         return typename N::scalar{};
     else if constexpr (requires(const N n) { call_D(n, vec3<double>{}); })
-        return std::conditional_t<std::is_same_v<decltype(call_D(std::declval<const N&>(), vec3<double>{})), float>, float, double>{};
+        return std::conditional_t<std::is_same_v<decltype(call_D(std::declval<const N&>(), vec3<double>{})), float>,
+                                  float, double>{};
     else
         return float{};
 }
@@ -88,7 +89,8 @@ public:
     using V = vec3<T>;
 
     distribution(distribution_functions<T> judged, const options& claimed)
-        : raw(std::move(judged)), claims(claimed), effort(budget_of(claimed.effort)), isotropic(claimed.isotropic.value_or(raw.isotropic)),
+        : raw(std::move(judged)), claims(claimed), effort(budget_of(claimed.effort)),
+          isotropic(claimed.isotropic.value_or(raw.isotropic)),
           area_everywhere(raw.area_everywhere && claimed.area_below) {}
 
     double D(const V& m) {

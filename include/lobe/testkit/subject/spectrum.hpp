@@ -1,4 +1,5 @@
-// The values of a stranger's function as doubles: of a number, a GLM vector, anything with a size that [] reads, or r, g, b.
+// The values of a stranger's function as doubles: of a number, a GLM vector, anything with a size that [] reads, or r,
+// g, b.
 #pragma once
 
 #include <lobe/core/vector.hpp>
@@ -11,7 +12,8 @@
 
 namespace lobe::testkit::detail {
 
-/// The number that a spectrum consists of, and how many: of a number, a GLM vector, anything with a size that [] reads, or r, g, b.
+/// The number that a spectrum consists of, and how many: of a number, a GLM vector, anything with a size that [] reads,
+/// or r, g, b.
 template <class S>
 concept has_size = requires(const S s) {
     std::tuple_size<S>::value;
@@ -42,7 +44,9 @@ template <glm::length_t N, class T, glm::qualifier Q>
 struct spectrum<glm::vec<N, T, Q>> {
     using scalar = T;
     static constexpr std::size_t size = static_cast<std::size_t>(N);
-    static double get(const glm::vec<N, T, Q>& s, std::size_t i) { return static_cast<double>(s[static_cast<glm::length_t>(i)]); }
+    static double get(const glm::vec<N, T, Q>& s, std::size_t i) {
+        return static_cast<double>(s[static_cast<glm::length_t>(i)]);
+    }
 };
 template <has_size S>
 struct spectrum<S> {

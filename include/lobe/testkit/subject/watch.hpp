@@ -1,4 +1,5 @@
-// Counts what is never right in the values of a function: not finite, negative, or positive below the horizon; keeps the first, or worst.
+// Counts what is never right in the values of a function: not finite, negative, or positive below the horizon; keeps
+// the first, or worst.
 #pragma once
 
 #include <lobe/testkit/measure/rounding.hpp>
@@ -20,10 +21,12 @@ struct watch {
     long calls = 0;
     fault not_finite{}, negative{}, below{};
 
-    /// The value itself where it is a number, else 0. `again(v, l)` asks for it elsewhere: a sign that rounding decides is no fault.
+    /// The value itself where it is a number, else 0. `again(v, l)` asks for it elsewhere: a sign that rounding decides
+    /// is no fault.
     template <class Again>
     double see(double x, const place<T>& at, bool must_vanish, const Again& again) {
-        const bool by_rounding = x < -rounding && negative.count < 100 && std::isfinite(x) && -x <= 4 * rounding_noise<T>(again, at);
+        const bool by_rounding =
+            x < -rounding && negative.count < 100 && std::isfinite(x) && -x <= 4 * rounding_noise<T>(again, at);
         return by_rounding ? 0 : see(x, at, must_vanish);
     }
     double see(double x, const place<T>& at, bool must_vanish) {

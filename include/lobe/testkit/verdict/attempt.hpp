@@ -22,10 +22,11 @@ namespace detail {
 inline report opened(const options& o) {
     report r(o.name);
     if (!(o.tolerance > 0 && std::isfinite(o.tolerance)))
-        r.add(id::tolerance, {.passed = false,
-                              .measured = o.tolerance,
-                              .expected = 2e-3,
-                              .meaning = "it is the relative error that counts; with this one nothing can be verified"});
+        r.add(id::tolerance,
+              {.passed = false,
+               .measured = o.tolerance,
+               .expected = 2e-3,
+               .meaning = "it is the relative error that counts; with this one nothing can be verified"});
     return r;
 }
 

@@ -34,8 +34,8 @@ private:
     std::size_t seen = 0, stride = 1;
 };
 
-/// Pairs of numbers that ought to be equal. Each pair may differ by `tolerance` (relative) and by four times what rounding does there; the
-/// median of all ratios by `tolerance` and what rounding does on average.
+/// Pairs of numbers that ought to be equal. Each pair may differ by `tolerance` (relative) and by four times what
+/// rounding does there; the median of all ratios by `tolerance` and what rounding does on average.
 template <class T>
 class comparison {
 public:
@@ -50,8 +50,11 @@ public:
         if (!(size > smallest)) return;
         ++count;
         if (!same(expected, 0)) ratios.add(measured / expected);
-        const suspect one{
-            .measured = measured, .expected = expected, .deviation = std::abs(measured - expected) / size, .channel = channel, .at = at};
+        const suspect one{.measured = measured,
+                          .expected = expected,
+                          .deviation = std::abs(measured - expected) / size,
+                          .channel = channel,
+                          .at = at};
         if (one.deviation > close.deviation) close = one;
         if (!(one.deviation > tolerance)) return;
         spread.add(one);
@@ -73,7 +76,8 @@ public:
             return noise(s.at, s.channel) / (std::max)(std::abs(s.measured), std::abs(s.expected));
         };
         for (const suspect& s : looked_at) noises.push_back(relative_noise(s));
-        // At one place a function may round alike whatever is done to it: the noise is at least what three of four places have.
+        // At one place a function may round alike whatever is done to it: the noise is at least what three of four
+        // places have.
         sorted = noises;
         std::sort(sorted.begin(), sorted.end());
         const double typical = sorted.empty() ? 0 : sorted[sorted.size() / 4];
@@ -87,7 +91,8 @@ public:
             const double size = (std::max)(std::abs(s.measured), std::abs(s.expected));
             const double limit = (tolerance + 4 * (std::max)(noises[i], typical)) * size;
             const double excess = std::abs(s.measured - s.expected) / limit;
-            if (excess > 1 && !same(s.expected, 0)) wrong.push_back({s.measured / s.expected, vec3<double>(s.at.v), vec3<double>(s.at.l)});
+            if (excess > 1 && !same(s.expected, 0))
+                wrong.push_back({s.measured / s.expected, vec3<double>(s.at.v), vec3<double>(s.at.l)});
             if (excess > worst) worst = excess, allowed = limit, at = s;
         }
         if (worst > 1) {
@@ -113,8 +118,9 @@ public:
                 return;
             }
         }
-        r.add(property,
-              {.measured = at.measured, .expected = at.expected, .tolerance = (std::max)(allowed, tolerance * std::abs(at.expected))});
+        r.add(property, {.measured = at.measured,
+                         .expected = at.expected,
+                         .tolerance = (std::max)(allowed, tolerance * std::abs(at.expected))});
     }
 
 private:
@@ -127,7 +133,8 @@ private:
     };
 
     void keep_largest() {
-        std::sort(largest.begin(), largest.end(), [](const suspect& a, const suspect& b) { return a.deviation > b.deviation; });
+        std::sort(largest.begin(), largest.end(),
+                  [](const suspect& a, const suspect& b) { return a.deviation > b.deviation; });
         if (largest.size() > worst_kept) largest.resize(worst_kept);
     }
 

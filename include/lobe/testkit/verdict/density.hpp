@@ -24,21 +24,23 @@ struct density_ids {
     property_id integral, means, follow;
 };
 
-/// A density over directions against the sampler that is said to follow it, for one view after another: its integral is the fraction of
-/// samples that succeed; five means are the same over both; the counts in the cells of its mesh follow it.
+/// A density over directions against the sampler that is said to follow it, for one view after another: its integral is
+/// the fraction of samples that succeed; five means are the same over both; the counts in the cells of its mesh follow
+/// it.
 template <class T>
 class density_check {
 public:
     density_check(const density_ids& of, const options& o, int views)
-        : total(of.integral, "it is not the density of these samples: a factor or a Jacobian is wrong, or samples fail that it counts"),
-          means(of.means, "the samples are wider, narrower, more tilted or more to one side than the density says"), follow(of.follow),
-          effort(budget_of(o.effort)), tolerance(o.tolerance), tests(2 * views) {}
+        : total(of.integral, "it is not the density of these samples: a factor or a Jacobian is wrong, or samples fail "
+                             "that it counts"),
+          means(of.means, "the samples are wider, narrower, more tilted or more to one side than the density says"),
+          follow(of.follow), effort(budget_of(o.effort)), tolerance(o.tolerance), tests(2 * views) {}
 
-    /// `density(view, l)` on a chart from the square to directions, and the sampler's numbers; `moments` are five smooth numbers of a
-    /// direction.
+    /// `density(view, l)` on a chart from the square to directions, and the sampler's numbers; `moments` are five
+    /// smooth numbers of a direction.
     template <class Chart, class Density, class Moments>
-    void add(const Chart& chart, const Density& density, const expectation<T>& over_u, const Moments& moments_of, const vec3<T>& view,
-             std::uint64_t seed) {
+    void add(const Chart& chart, const Density& density, const expectation<T>& over_u, const Moments& moments_of,
+             const vec3<T>& view, std::uint64_t seed) {
         const vec3<double> v = normalize(vec3<double>(view));
         const std::string at = literal("v", view);
         const std::vector<vec3<double>> samples = draw_strata(over_u, effort.strata, seed);
@@ -72,7 +74,8 @@ public:
                    .allowed = allowed * by_u[0] + e[0] + eu[0] + least_that_counts,
                    .v = v,
                    .input = at});
-        if (!(by_l[0] > 10 * least_that_counts) || !(by_u[0] > 10 * least_that_counts)) return;  // hardly a sample succeeds
+        // hardly a sample succeeds
+        if (!(by_l[0] > 10 * least_that_counts) || !(by_u[0] > 10 * least_that_counts)) return;
         for (std::size_t k = 1; k < 6; ++k) {
             const double size = k < 4 ? by_l[k] / by_l[0] : by_l[k - 3] / by_l[0];
             means.add({.measured = by_u[k] / by_u[0],
@@ -82,23 +85,25 @@ public:
                        .input = at});
         }
 
-        // A small probability is asked for again, twice, with four times as many samples; not where the fault is found already.
+        // A small probability is asked for again, twice, with four times as many samples; not where the fault is found
+        // already.
         double chance = probability(over_l, chart, samples);
         for (std::uint64_t again = 1; again <= 2 && chance < significance() && total.holds() && means.holds(); ++again)
-            chance = (std::max)(chance, probability(over_l, chart, draw_strata(over_u, 2 * effort.strata, seed + 500 * again)));
+            chance = (std::max)(chance,
+                                probability(over_l, chart, draw_strata(over_u, 2 * effort.strata, seed + 500 * again)));
         if (chance < least) least = chance, least_at = at;
     }
 
     void report_to(report& r) const {
         total.report_to(r);
         means.report_to(r);
-        r.add(follow,
-              {.passed = least >= significance(),
-               .measured = least,
-               .expected = 1,
-               .tolerance = significance(),
-               .input = least_at,
-               .meaning = "the samples are distributed otherwise than the density says: the two differ in roughness, axes or measure"});
+        r.add(follow, {.passed = least >= significance(),
+                       .measured = least,
+                       .expected = 1,
+                       .tolerance = significance(),
+                       .input = least_at,
+                       .meaning = "the samples are distributed otherwise than the density says: the two differ in "
+                                  "roughness, axes or measure"});
     }
 
 private:
@@ -108,7 +113,8 @@ private:
         std::vector<vec3<double>> out;
         for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i)
-                if (const auto l = over_u.draw(random_u<T>(random, over_u.numbers, i, j, n))) out.push_back(vec3<double>(*l));
+                if (const auto l = over_u.draw(random_u<T>(random, over_u.numbers, i, j, n)))
+                    out.push_back(vec3<double>(*l));
         return out;
     }
 

@@ -25,8 +25,10 @@ enum class relation { equal, at_most };
 /// One number a view that ought to be equal to, or at most, another.
 class per_view {
 public:
-    per_view(const property_id& of, std::string meaning, relation how = relation::equal, std::string meaning_if_too_small = "")
-        : property(of), otherwise(std::move(meaning)), too_small(std::move(meaning_if_too_small)), upper_bound(how == relation::at_most) {}
+    per_view(const property_id& of, std::string meaning, relation how = relation::equal,
+             std::string meaning_if_too_small = "")
+        : property(of), otherwise(std::move(meaning)), too_small(std::move(meaning_if_too_small)),
+          upper_bound(how == relation::at_most) {}
 
     void add(const view_result& one) {
         const double off = upper_bound ? one.measured - one.expected : std::abs(one.measured - one.expected);
@@ -40,8 +42,10 @@ public:
         if (!count) return;
         std::string meaning;
         if (!holds())
-            meaning = lacks_one_over_pi() ? "the same albedo from everywhere, plausible once divided by pi: a missing 1/pi"
-                                          : explain(wrong, result.measured < result.expected && !too_small.empty() ? too_small : otherwise);
+            meaning =
+                lacks_one_over_pi()
+                    ? "the same albedo from everywhere, plausible once divided by pi: a missing 1/pi"
+                    : explain(wrong, result.measured < result.expected && !too_small.empty() ? too_small : otherwise);
         r.add(property, {.passed = holds(),
                          .measured = result.measured,
                          .expected = result.expected,
@@ -54,8 +58,8 @@ private:
     /// A furnace that may be anything up to 1: pi times an albedo, from every view.
     bool lacks_one_over_pi() const {
         if (!upper_bound || wrong.size() < static_cast<std::size_t>(count)) return false;
-        const auto [low, high] =
-            std::minmax_element(wrong.begin(), wrong.end(), [](const ratio_at& a, const ratio_at& b) { return a.ratio < b.ratio; });
+        const auto [low, high] = std::minmax_element(
+            wrong.begin(), wrong.end(), [](const ratio_at& a, const ratio_at& b) { return a.ratio < b.ratio; });
         return high->ratio < 1.01 * low->ratio && low->ratio > 1.1 && high->ratio < 1.01 * std::numbers::pi;
     }
 

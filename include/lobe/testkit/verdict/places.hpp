@@ -44,7 +44,8 @@ void sweep(subject<T, N>& b) {
     }
     if (!b.has_sample()) return;
     const T last = T(1) - std::numeric_limits<T>::epsilon() / T(2);
-    const T edges[] = {T(0), tiny, static_cast<T>(1e-6), T(0.25), T(0.5), T(0.75), T(1) - static_cast<T>(0x1p-24), last};
+    const T edges[] = {T(0),   tiny,    static_cast<T>(1e-6),           T(0.25),
+                       T(0.5), T(0.75), T(1) - static_cast<T>(0x1p-24), last};
     const std::vector<T> third = b.raw.numbers == 3 ? std::vector<T>{T(0), T(0.5), last} : std::vector<T>{T(0)};
     for (std::size_t i = 0; i < usual; ++i)
         for (const T x : edges)
@@ -53,7 +54,8 @@ void sweep(subject<T, N>& b) {
                     if (w[i].z > T(0)) b.sample(w[i], {x, y, z});
 }
 
-/// One in three: two independent directions; else l mirrored at a normal of any slope from 1e-4 to 10. One in four near grazing.
+/// One in three: two independent directions; else l mirrored at a normal of any slope from 1e-4 to 10. One in four near
+/// grazing.
 template <class T>
 std::pair<vec3<T>, vec3<T>> random_pair(generator& random, int i) {
     const double z = i % 4 == 3 ? random.log_between(1e-6, 1e-1) : random(), azimuth = tau * random();
@@ -67,7 +69,8 @@ std::pair<vec3<T>, vec3<T>> random_pair(generator& random, int i) {
     return {v, unit<T>(2 * dot(w, m) * m - w)};
 }
 
-/// From the normal to cos = 0.01, moved by the seed within their gaps, and, unless the subject is isotropic, along both axes.
+/// From the normal to cos = 0.01, moved by the seed within their gaps, and, unless the subject is isotropic, along both
+/// axes.
 template <class T, std::size_t N>
 std::vector<vec3<T>> views(const subject<T, N>& b) {
     generator random(b.claims.seed);

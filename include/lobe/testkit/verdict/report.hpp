@@ -74,9 +74,9 @@ public:
 
     void add(check result) { checks_.push_back(std::move(result)); }
     void add(const property_id& id, outcome o) {
-        checks_.push_back(
-            {{id, std::string(id.text) + o.suffix, o.measured, o.expected, o.tolerance, std::move(o.input), std::move(o.meaning)},
-             o.passed});
+        checks_.push_back({{id, std::string(id.text) + o.suffix, o.measured, o.expected, o.tolerance,
+                            std::move(o.input), std::move(o.meaning)},
+                           o.passed});
     }
 
     const std::string& name() const { return name_; }
@@ -93,12 +93,14 @@ public:
     explicit operator bool() const { return passed(); }
 
     std::string json() const {
-        std::string out = "{\"subject\": " + detail::quoted(name_) + ", \"passed\": " + (passed() ? "true" : "false") + ", \"checks\": [";
+        std::string out = "{\"subject\": " + detail::quoted(name_) + ", \"passed\": " + (passed() ? "true" : "false") +
+                          ", \"checks\": [";
         for (std::size_t i = 0; i < checks_.size(); ++i) {
             const check& c = checks_[i];
             out += (i ? ",\n  " : "\n  ") + ("{\"id\": " + detail::quoted(std::string(c.id.key))) +
                    ", \"property\": " + detail::quoted(c.property) + ", \"passed\": " + (c.passed ? "true" : "false") +
-                   ", \"measured\": " + detail::json_number(c.measured) + ", \"expected\": " + detail::json_number(c.expected) +
+                   ", \"measured\": " + detail::json_number(c.measured) +
+                   ", \"expected\": " + detail::json_number(c.expected) +
                    ", \"tolerance\": " + detail::json_number(c.tolerance) + ", \"input\": " + detail::quoted(c.input) +
                    ", \"meaning\": " + detail::quoted(c.passed ? "" : c.meaning) + "}";
         }

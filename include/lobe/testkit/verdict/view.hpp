@@ -22,7 +22,8 @@ bool is_padding(std::size_t k, double x) {
     return k > 0 && N == 16 && same(x, 0);
 }
 
-/// Integrals of f_cos over the light, or of the weight over u: a number a channel, then the moments of all channels together.
+/// Integrals of f_cos over the light, or of the weight over u: a number a channel, then the moments of all channels
+/// together.
 template <std::size_t N>
 struct integrals {
     std::array<double, N> value{}, error{};
@@ -102,7 +103,8 @@ private:
         detail::integrate(over_l, chart, w, some, b.effort, N);
         reflected = parted(over_l.integral(), over_l.error());
         uncovered = over_l.integral()[N + 5];
-        allowed = b.claims.tolerance + relative_rounding<T>(over_l, chart, v, [&](const V& a, const V& c) { return b.total(a, c); });
+        allowed = b.claims.tolerance +
+                  relative_rounding<T>(over_l, chart, v, [&](const V& a, const V& c) { return b.total(a, c); });
     }
 
     void weigh() {
