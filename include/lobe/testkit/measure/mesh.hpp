@@ -127,8 +127,9 @@ public:
         return !too_large.empty();
     }
 
+    values at(double x, double y) const { return f(x, y); }
     const values& integral() const { return total_; }
-    /// Estimated, and usually far too large.
+    /// By the two rules of different degree: usually far too large, but nothing where the integrand jumps between the points.
     const values& error() const { return error_; }
     long evaluations() const { return evaluations_; }
     const std::vector<cell>& cells() const { return cells_; }

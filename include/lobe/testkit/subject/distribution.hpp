@@ -3,6 +3,7 @@
 
 #include <lobe/testkit/measure/budget.hpp>
 #include <lobe/testkit/measure/normal_chart.hpp>
+#include <lobe/testkit/measure/second_opinion.hpp>
 #include <lobe/testkit/options.hpp>
 #include <lobe/testkit/subject/watch.hpp>
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <concepts>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -115,21 +117,18 @@ public:
     }
 
     /// int max(0, w.m) D(m) dm, by quadrature.
-    struct integral {
-        double value, error;
-    };
-    integral area_by_quadrature(const vec3<double>& w) {
-        return over_normals([&](const vec3<double>& m) { return (std::max)(0.0, dot(w, m)) * D(V(m)); });
+    doubtable<1> area_by_quadrature(const vec3<double>& w) {
+        return over_normals([this, w](const vec3<double>& m) { return (std::max)(0.0, dot(w, m)) * D(V(m)); });
     }
-    integral over_normals(const std::function<double(const vec3<double>& m)>& f) const {
-        mesh<1> over_m(
-            [&](double x, double y) {
+    doubtable<1> over_normals(const std::function<double(const vec3<double>& m)>& f) const {
+        const auto over_m = std::make_shared<mesh<1>>(
+            [this, f](double x, double y) {
                 const auto p = chart(x, y);
                 return mesh<1>::values{f(p.l) * p.area};
             },
             8, 16, 1);
-        over_m.refine(effort.tolerance / 3, 1, effort.evaluations);
-        return {over_m.integral()[0], over_m.error()[0]};
+        over_m->refine(effort.tolerance / 3, 1, effort.evaluations);
+        return doubtable_integral<1>(over_m);
     }
 
     /// Directions to look from.
