@@ -77,7 +77,7 @@ void visible_normals(distribution<T>& n, report& r) {
                 product.add(n.raw.pdf_visible(v, m), visible(m), {.v = v, .l = m});
             }
         const expectation<T> over_u([&](const V& u) { return n.sample_visible(v, {u.x, u.y}); }, 2);
-        const auto pdf = [&](const V& from, const V& m) { return n.raw.pdf_visible ? n.raw.pdf_visible(from, m) : visible(m); };
+        const auto pdf = [&](const V& from, const V& m) { return n.raw.pdf_visible ? computable(n.raw.pdf_visible(from, m)) : visible(m); };
         density.add(n.chart, pdf, over_u, moments_of_normal, v, n.claims.seed);
     }
     density.report_to(r);

@@ -140,7 +140,7 @@ public:
                    "sample and pdf are two formulas: another width, another measure, or another lobe") {}
 
     void at_sample(const sample& one) override {
-        for (std::size_t k = 0; k < N; ++k) product.add(one.s.weight[k] * one.s.pdf, one.f[k], one.at, k);
+        for (std::size_t k = 0; k < N; ++k) product.add(one.s.weight[k] * one.s.pdf, one.f[k], one.at, k, one.s.weight[k]);
         if (this->b.has_pdf()) same_pdf.add(this->b.pdf(one.v, one.s.l), one.s.pdf, one.at);
     }
 

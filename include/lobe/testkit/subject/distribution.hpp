@@ -26,12 +26,18 @@ concept has_D = requires(const N n, const V m) {
 };
 
 template <class V, class N>
+    requires has_D<N, V> || requires(const N n, const V m) { n(m); }
 auto call_D(const N& n, const V& m) {
     if constexpr (has_D<N, V>)
         return n.D(m);
     else
         return n(m);
 }
+
+template <class N, class T>
+concept distribution_fits = requires(const N n, const vec3<T> m) {
+    static_cast<double>(call_D(n, m));
+};
 
 template <class N>
 auto scalar_of_distribution() {
@@ -106,7 +112,7 @@ public:
         return of_area.see(raw.area(w), last, false);
     }
     /// The density of normals that samples follow.
-    double pdf(const V& m) { return raw.pdf ? raw.pdf(m) : D(m) * static_cast<double>(m.z); }
+    double pdf(const V& m) { return raw.pdf ? computable(raw.pdf(m)) : D(m) * static_cast<double>(m.z); }
 
     /// A normal, where it is one.
     std::optional<V> sample(const vec2<T>& u) {
@@ -156,8 +162,8 @@ public:
 private:
     std::optional<V> checked(const V& m, const place<T>& at) {
         last = at;
-        const double size = lengths.see(m, at);
-        return std::isfinite(size) && m.z > T(0) ? std::optional<V>(m) : std::nullopt;
+        lengths.see(m, at);
+        return all_finite(m) && m.z > T(0) ? std::optional<V>(m) : std::nullopt;
     }
 };
 
