@@ -3,6 +3,7 @@
 
 #include <lobe/testkit/properties/reflectance.hpp>
 #include <lobe/testkit/verdict/attempt.hpp>
+#include <lobe/testkit/verdict/last_words.hpp>
 
 namespace lobe::testkit {
 
@@ -13,11 +14,18 @@ report verdict_on(const fresnel_functions<T, N>& functions, const options& o) {
     report r = opened(o);
     if (!r.passed()) return r;
     reflectance<T, N> f{.raw = functions, .claims = o};
+    longest_spectrum = 0;
+    last_words words([&](line& out) {
+        out << "cosine = ";
+        write_literal(out, f.last);
+    });
     attempt(
         r, [&] { return literal(f.last); },
         [&] {
-            for (const auto& property : {range<T, N>, shape<T, N>, average<T, N>}) property(f, r);
+            for (const auto& property : {range<T, N>, shape<T, N>, average<T, N>})
+                property(f, r), words.so_far = r.text();
         });
+    report_length(r, longest_spectrum);
     return r;
 }
 

@@ -4,12 +4,15 @@
 #include <lobe/testkit/measure/budget.hpp>
 #include <lobe/testkit/measure/jumps.hpp>
 #include <lobe/testkit/measure/mesh.hpp>
+#include <lobe/testkit/measure/second_opinion.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -43,11 +46,6 @@ struct box {
 template <class T>
 class expectation {
 public:
-    template <std::size_t N>
-    struct mean {
-        std::array<double, N> value{}, error{};
-    };
-
     expectation(drawing<T> sampler, int how_many) : draw(std::move(sampler)), numbers(how_many) {
         const jumps<T> found(draw, numbers);
         selects = found.selects;
@@ -67,9 +65,10 @@ public:
     /// The mean of value(u) over all u; the first `driving` decide where to look, the first `colours` are the colours
     /// of one thing.
     template <std::size_t N>
-    mean<N> of(const std::function<std::array<double, N>(const vec3<T>& u)>& value, const budget& b,
-               std::size_t driving, std::size_t colours) const {
-        return selects ? over_boxes<N>(value, b, driving, colours) : by_chance<N>(value);
+    doubtable<N> of(const std::function<std::array<double, N>(const vec3<T>& u)>& value, const budget& b,
+                    std::size_t driving, std::size_t colours) const {
+        if (!selects) return {by_chance<N>(value, 11), [this, value] { return by_chance<N>(value, 13); }};
+        return over_boxes<N>(value, b, driving, colours);
     }
 
     drawing<T> draw;
@@ -80,12 +79,13 @@ private:
     using integrand = std::function<std::array<double, N>(const vec3<T>& u)>;
 
     template <std::size_t N>
-    mean<N> over_boxes(const integrand<N>& value, const budget& b, std::size_t driving, std::size_t colours) const {
+    doubtable<N> over_boxes(const integrand<N>& value, const budget& b, std::size_t driving,
+                            std::size_t colours) const {
         const std::size_t count = boxes.size();
         const int columns = (std::max)(6, 16 / static_cast<int>(count));
         const auto scaled = static_cast<double>(count);
-        mesh<N> m(
-            [&](double x, double y) {
+        const auto m = std::make_shared<mesh<N>>(
+            [this, value, count, scaled](double x, double y) {
                 const std::size_t which = (std::min)(static_cast<std::size_t>(x * scaled), count - 1);
                 const double local = x * scaled - static_cast<double>(which);
                 std::array<double, N> out = value(boxes[which].at(local, y));
@@ -98,10 +98,10 @@ private:
         const int n = count == 1 ? 64 : count < 5 ? 32 : 16;
         for (std::size_t which = 0; which < count; ++which)
             for (const auto& [x, y] : border(boxes[which], n))
-                m.refine_at((static_cast<double>(which) + x) / scaled, y, 2);
-        m.refine(b.tolerance, colours, b.evaluations);
+                m->refine_at((static_cast<double>(which) + x) / scaled, y, 2);
+        m->refine(b.tolerance, colours, b.evaluations);
 
-        mean<N> out{m.integral(), m.error()};
+        std::array<double, N> beyond{};
         if constexpr (std::is_same_v<T, float>)
             for (const box<T>& a : boxes)
                 for (int i = 0; i < 16; ++i)
@@ -111,10 +111,15 @@ private:
                         const auto edge = [&](double end) {
                             return value(axis == 0 ? a.at(end, along) : a.at(along, end));
                         };
-                        add_sizes<N>(out.error, edge(1), width);
-                        if (a.low[axis] > T(0)) add_sizes<N>(out.error, edge(0), width);
+                        add_sizes<N>(beyond, edge(1), width);
+                        if (a.low[axis] > T(0)) add_sizes<N>(beyond, edge(0), width);
                     }
-        return out;
+        const auto with_beyond = [beyond](estimate<N> e) {
+            add_sizes<N>(e.error, beyond, 1);
+            return e;
+        };
+        return {with_beyond({m->integral(), m->error()}),
+                [m, with_beyond] { return with_beyond(second_opinion(*m).all); }};
     }
 
     /// Corners of n^2 squares between which samples begin to fail.
@@ -134,10 +139,10 @@ private:
     /// of one sample in each of 12^3 cubes. The error is six times what their spread says: exceeded by one in 1e6,
     /// where the tails are not heavy (Student, 31 degrees of freedom).
     template <std::size_t N>
-    mean<N> by_chance(const integrand<N>& value) const {
+    static estimate<N> by_chance(const integrand<N>& value, std::uint64_t seed) {
         constexpr int rounds = 32, n = 12;
-        generator random(11);
-        mean<N> out;
+        generator random(seed);
+        estimate<N> out;
         std::array<double, N> squares{};
         for (int i = 0; i < rounds; ++i) {
             std::array<double, N> sum{};

@@ -15,8 +15,7 @@ namespace lobe::testkit {
 
 /// The unit square, cut into cells by the degree-7 rule of Genz & Malik 1980, "An adaptive algorithm for numerical
 /// integration over an N-dimensional rectangular region": 17 points a cell, its embedded degree-5 rule for the error,
-/// the fourth differences for the direction of the next cut. Integrates N functions at once; the first `driving` of
-/// them decide where to cut.
+/// the fourth differences for the next cut. Integrates N functions; the first `driving` of them decide where to cut.
 template <std::size_t N>
 class mesh {
 public:
@@ -46,10 +45,10 @@ public:
         const double width = std::ldexp(1.0 / nx, -halvings), height = std::ldexp(1.0 / ny, -halvings);
         for (std::size_t at = 0; at < cells_.size(); ++at) {  // the loop reaches the new cells, too
             const cell c = cells_[at];
-            const bool beside =
-                std::abs(x - c.x0 - c.width / 2) <= c.width && std::abs(y - c.y0 - c.height / 2) <= c.height;
-            if (c.leaf() && beside && (c.width > 1.5 * width || c.height > 1.5 * height))
-                cut(at, c.width * nx >= c.height * ny);
+            const double from_x = x - c.x0 - c.width / 2, from_y = y - c.y0 - c.height / 2;
+            const bool beside = std::abs(from_x) <= c.width && std::abs(from_y) <= c.height;
+            const bool large = c.width > 1.5 * width || c.height > 1.5 * height;
+            if (c.leaf() && beside && large) cut(at, c.width * nx >= c.height * ny);
         }
     }
 
@@ -134,8 +133,10 @@ public:
         return !too_large.empty();
     }
 
+    values at(double x, double y) const { return f(x, y); }
     const values& integral() const { return total_; }
-    /// Estimated, and usually far too large.
+    /// By the two rules of different degree: usually far too large, but nothing where the integrand jumps between the
+    /// points.
     const values& error() const { return error_; }
     long evaluations() const { return evaluations_; }
     const std::vector<cell>& cells() const { return cells_; }
@@ -227,15 +228,14 @@ private:
         const double area = c.width * c.height;
         double dx = 0, dy = 0, size = 1e-300;
         for (std::size_t k = 0; k < N; ++k) {
-            c.integral[k] =
-                area * (-3816.0 / 19683 * middle[k] + 980.0 / 6561 * along_inner[k] + 1020.0 / 19683 * along_outer[k] +
-                        200.0 / 19683 * diagonal_outer[k] + 6859.0 / 19683 / 4 * diagonal_corner[k]);
-            const double degree_5 = area * (-971.0 / 729 * middle[k] + 245.0 / 486 * along_inner[k] +
-                                            65.0 / 1458 * along_outer[k] + 25.0 / 729 * diagonal_outer[k]);
+            const double m = middle[k], i = along_inner[k], o = along_outer[k], d = diagonal_outer[k];
+            c.integral[k] = area * (-3816.0 / 19683 * m + 980.0 / 6561 * i + 1020.0 / 19683 * o + 200.0 / 19683 * d +
+                                    6859.0 / 19683 / 4 * diagonal_corner[k]);
+            const double degree_5 = area * (-971.0 / 729 * m + 245.0 / 486 * i + 65.0 / 1458 * o + 25.0 / 729 * d);
             c.error[k] = std::abs(c.integral[k] - degree_5);
             if (k < driving && c.error[k] > size) size = c.error[k], dx = fourth_x[k], dy = fourth_y[k];
         }
-        // Where the differences do not decide, the longer side of the cell in units of the first grid.
+        // else the longer side of the cell, in units of the first grid
         c.cut_x = dx > dy || (!(dx < dy) && c.width * nx >= c.height * ny);
     }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lobe/testkit/measure/mesh.hpp>
+#include <lobe/testkit/measure/numbers.hpp>
 #include <lobe/testkit/measure/random.hpp>
 #include <lobe/testkit/measure/text.hpp>
 
@@ -37,7 +38,7 @@ double rounding_noise(const of_directions<T>& value, const place<T>& at, int ste
                 // the horizon is not crossed
                 (*w)[k] = k < 2 || (moved > T(0)) == ((*w)[k] > T(0)) ? moved : (*w)[k] / T(2);
             }
-        noise = (std::max)(noise, std::abs(value(v, l) - exact));
+        if (const double moved = std::abs(value(v, l) - exact); is_finite(moved)) noise = (std::max)(noise, moved);
     }
     return noise;
 }
@@ -58,7 +59,7 @@ double relative_rounding(const mesh<N>& m, const Chart& chart, const vec3<T>& v,
         const auto& c = m.cells()[leaves[i]];
         const place<T> at{.v = v, .l = vec3<T>(chart(c.x0 + c.width / 2, c.y0 + c.height / 2).l)};
         const double there = std::abs(value(at.v, at.l));
-        if (!(there > 0)) continue;
+        if (!is_finite(there) || !(there > 0)) continue;
         noise += size(leaves[i]) * rounding_noise<T>(value, at, 8) / there;
         all += size(leaves[i]);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lobe/testkit/measure/discrepancy.hpp>
+#include <lobe/testkit/measure/numbers.hpp>
 #include <lobe/testkit/measure/random.hpp>
 #include <lobe/testkit/measure/text.hpp>
 #include <lobe/testkit/verdict/report.hpp>
@@ -30,7 +31,7 @@ template <class T>
 void inside(const points& p, report& r) {
     for (std::size_t i = 0; i < p.size(); ++i)
         for (const double x : {p[i].x, p[i].y})
-            if (!(x >= 0 && x < 1)) {
+            if (!is_finite(x) || !(x >= 0 && x < 1)) {
                 r.add(id::points_inside,
                       {.passed = false,
                        .measured = x,

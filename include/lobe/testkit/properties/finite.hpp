@@ -33,8 +33,8 @@ namespace detail {
 template <class T>
 void report_values(report& r, const watch<T>& seen, const id::of_values& of, const std::string& why_below = "") {
     const auto share = [&](long n) {
-        return " (" + number(100.0 * static_cast<double>(n) / static_cast<double>((std::max)(seen.calls, 1L)), "%.3g") +
-               " % of the values)";
+        return " (" + number(100.0 * static_cast<double>(n) / static_cast<double>((std::max)(seen.calls, 1L)), 3) +
+               " % of the calls)";
     };
     const auto add = [&](const property_id& property, const typename watch<T>::fault& f, const std::string& meaning) {
         r.add(property, {.passed = f.count == 0,
@@ -42,13 +42,19 @@ void report_values(report& r, const watch<T>& seen, const id::of_values& of, con
                          .input = f.count ? f.at.text() : "",
                          .meaning = f.count ? meaning : ""});
     };
+    const auto extent = [&](const typename watch<T>::fault& f) {
+        constexpr const char* where[] = {", below the horizon alone", ", at extremes alone", ", at grazing",
+                                         ", at everyday directions"};
+        return std::string(f.harm < 0 ? "" : where[f.harm]) + share(f.count);
+    };
     add(of.finite, seen.not_finite,
-        seen.not_finite.count == seen.calls
-            ? "every value is NaN or infinite"
-            : "a 0/0, an overflow, or the root or power of a negative number at an extreme" +
-                  share(seen.not_finite.count));
+        seen.not_finite.count == seen.calls ? "every value is NaN or infinite"
+        : seen.not_finite.harm == 0
+            ? "0/0 where v + l is 0, or the root or power of a cosine below 0: return 0 before" +
+                  extent(seen.not_finite)
+            : "a 0/0, an overflow, or the root or power of a negative number" + extent(seen.not_finite));
     add(of.not_negative, seen.negative,
-        "a cosine that is not clamped or checked, or a weight that turns negative" + share(seen.negative.count));
+        "a cosine that is not clamped or checked, or a weight that turns negative" + extent(seen.negative));
     if (!of.vanishes_below.key.empty()) add(of.vanishes_below, seen.below, why_below + share(seen.below.count));
 }
 
@@ -58,11 +64,12 @@ public:
     using brdf_property<T, N>::brdf_property;
     void report_to(report& r) override {
         const double largest = this->b.largest;
-        r.add(id::f_cos_not_0,
-              {.passed = largest > 0,
-               .measured = largest,
-               .expected = largest,
-               .meaning = "the BRDF returned 0 for every pair of directions: nothing can be verified"});
+        if (this->b.of_f.not_finite.count < this->b.of_f.calls)
+            r.add(id::f_cos_not_0,
+                  {.passed = largest > 0,
+                   .measured = largest,
+                   .expected = largest,
+                   .meaning = "the BRDF returned 0 for every pair of directions: nothing can be verified"});
         report_values(
             r, this->b.of_f, id::f_cos,
             "light from below the horizon is reflected: the sign of a cosine is lost (abs) or never looked at");

@@ -71,7 +71,7 @@ void visible_normals(distribution<T>& n, report& r) {
     generator random(n.claims.seed);
     const auto facing = [&](const V& v, const V& m) { return (std::max)(0.0, dot(vec3<double>(v), vec3<double>(m))); };
     for (const V& v : all) {
-        const double exact = n.area_by_quadrature(normalize(vec3<double>(v))).value;
+        const double exact = n.area_by_quadrature(normalize(vec3<double>(v)))(false).value[0];
         const auto visible = [&](const V& m) { return facing(v, m) * n.D(m) / exact; };
         if (n.raw.pdf_visible)
             for (int i = 0; i < n.effort.pairs / 8; ++i) {
@@ -80,13 +80,13 @@ void visible_normals(distribution<T>& n, report& r) {
             }
         const expectation<T> over_u([&](const V& u) { return n.sample_visible(v, {u.x, u.y}); }, 2);
         const auto pdf = [&](const V& from, const V& m) {
-            return n.raw.pdf_visible ? n.raw.pdf_visible(from, m) : visible(m);
+            return n.raw.pdf_visible ? computable(n.raw.pdf_visible(from, m)) : visible(m);
         };
         density.add(n.chart, pdf, over_u, moments_of_normal, v, n.claims.seed);
     }
     density.report_to(r);
     product.report_to(r, [&](const place<T>& at, std::size_t) {
-        const double area = n.area_by_quadrature(normalize(vec3<double>(at.v))).value;
+        const double area = n.area_by_quadrature(normalize(vec3<double>(at.v)))(false).value[0];
         return 2 * rounding_noise<T>([&](const V& v, const V& m) { return facing(v, m) * n.raw.D(m); }, at) /
                (std::max)(1e-30, area);
     });

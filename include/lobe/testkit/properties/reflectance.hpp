@@ -34,10 +34,9 @@ void range(reflectance<T, N>& f, report& r) {
         T cosine;
         std::string text() const { return "cosine = " + literal(cosine); }
     };
-    extreme low{0, T(0)}, high{1, T(0)}, none{0, T(0)};
+    extreme low{0, T(0)}, high{1, T(0)};
     const auto look = [&](double cosine) {
         for (const double x : f.at(cosine)) {
-            if (!std::isfinite(x)) none = {x, f.last};
             if (x < low.value) low = {x, f.last};
             if (x > high.value) high = {x, f.last};
         }
@@ -45,10 +44,10 @@ void range(reflectance<T, N>& f, report& r) {
     for (int i = 0; i <= n; ++i) look(static_cast<double>(i) / n);
     for (double x = 1; x > 1e-12; x /= 3) look(x), look(1 - x);
     look(static_cast<double>(std::numeric_limits<T>::denorm_min()));
-    const bool finite = same(none.value, 0);
+    const bool finite = f.not_finite == 0;
     r.add(id::F_finite, {.passed = finite,
-                         .measured = none.value,
-                         .input = finite ? "" : none.text(),
+                         .measured = f.none,
+                         .input = finite ? "" : extreme{f.none, f.none_at}.text(),
                          .meaning = "a 0/0, or the root or power of a negative number"});
     r.add(id::F_not_negative, {.passed = low.value >= -rounding,
                                .measured = low.value,

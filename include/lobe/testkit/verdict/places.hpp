@@ -16,9 +16,9 @@ vec3<T> unit(const vec3<double>& w) {
     return vec3<T>(normalize(w));
 }
 
-/// Every value is watched; here only the places are chosen.
-template <class T, std::size_t N>
-void sweep(subject<T, N>& b) {
+/// Every value is watched; here only the places are chosen. note(): what was found is to be kept.
+template <class T, std::size_t N, class Note>
+void sweep(subject<T, N>& b, const Note& note) {
     using V = vec3<T>;
     std::vector<V> w;
     for (const double z : {1.0, 1 - 1e-7, 0.999, 0.7, 0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-6, 0.0, -1e-6, -0.3, -1.0})
@@ -33,6 +33,7 @@ void sweep(subject<T, N>& b) {
         if (b.has_pdf()) b.pdf(v, l);
     };
     for (std::size_t i = 0; i < usual; ++i) {
+        note();
         for (const V& l : w) look(w[i], l);
         look(w[i], -w[i]);
         for (double step = 1e-8; step < 0.3; step *= 10)  // near the mirror direction, and near v itself
@@ -47,6 +48,7 @@ void sweep(subject<T, N>& b) {
     const T edges[] = {T(0),   tiny,    static_cast<T>(1e-6),           T(0.25),
                        T(0.5), T(0.75), T(1) - static_cast<T>(0x1p-24), last};
     const std::vector<T> third = b.raw.numbers == 3 ? std::vector<T>{T(0), T(0.5), last} : std::vector<T>{T(0)};
+    note();
     for (std::size_t i = 0; i < usual; ++i)
         for (const T x : edges)
             for (const T y : edges)
