@@ -3,11 +3,11 @@
 
 #include <lobe/testkit/measure/text.hpp>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <functional>
 #include <iterator>
-#include <mutex>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,13 +23,13 @@ public:
     using writer = std::function<void(line&)>;
     explicit last_words(writer of_input) : input(std::move(of_input)), outer(current) {
         current = this;
-        const std::lock_guard lock(guard);
+        const turn alone;
         if (users++ == 0)
-            for (std::size_t i = 0; i < count; ++i) before[i] = exchange(signals[i], ours());
+            for (std::size_t i = 0; i < count; ++i) before[i] = exchange(deadly[i], ours());
     }
     ~last_words() {
         current = outer;
-        const std::lock_guard lock(guard);
+        const turn alone;
         if (--users == 0) restore();
     }
     last_words(const last_words&) = delete;
@@ -38,8 +38,17 @@ public:
     std::string so_far;
 
 private:
-    static constexpr int signals[] = {SIGABRT, SIGFPE, SIGILL, SIGSEGV};
-    static constexpr std::size_t count = std::size(signals);
+    /// A lock for a few instructions. (<mutex> does not live beside the macros min and max of windows.h.)
+    struct turn {
+        turn() {
+            while (taken.test_and_set(std::memory_order_acquire))
+                ;
+        }
+        ~turn() { taken.clear(std::memory_order_release); }
+    };
+
+    static constexpr int deadly[] = {SIGABRT, SIGFPE, SIGILL, SIGSEGV};
+    static constexpr std::size_t count = std::size(deadly);
 
     // With POSIX, the whole of a handler: its mask, its stack, its arguments.
 #if defined(__unix__) || defined(__APPLE__)
@@ -60,7 +69,7 @@ private:
     static handler exchange(int which, handler h) { return std::signal(which, h); }
 #endif
     static void restore() {
-        for (std::size_t i = 0; i < count; ++i) exchange(signals[i], before[i]);
+        for (std::size_t i = 0; i < count; ++i) exchange(deadly[i], before[i]);
     }
 
     static void print(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
@@ -80,7 +89,7 @@ private:
     writer input;
     last_words* outer;
     static inline thread_local last_words* current = nullptr;
-    static inline std::mutex guard;
+    static inline std::atomic_flag taken;
     static inline int users = 0;
     static inline handler before[count];
 };
