@@ -20,12 +20,12 @@ struct by_quadrature : Shape {
     }
 };
 
-/// What one builds once and not per element: distributions with a table, of one width, and the split-sum table. Exactly: the same
-/// distributions without their tables.
+/// What one builds once and not per element: distributions with a table, of one width, and the split-sum table.
+/// Exactly: the same distributions without their tables.
 template <class T>
 struct prebuilt {
     template <class Shape>
-    using with_area = std::conditional_t<std::same_as<T, float>, lobe::tabulated<Shape, T>, by_quadrature<Shape>>;
+    using with_area = std::conditional_t<std::same_as<T, float>, lobe::tabulated_shape<Shape, T>, by_quadrature<Shape>>;
     template <class Shape>
     using tabulated = lobe::radial<with_area<Shape>, lobe::alpha<T>>;
 
@@ -38,9 +38,12 @@ struct prebuilt {
 
     explicit prebuilt(float width)
         : exponential_power(with_area<lobe::exponential_power_shape<T>>(lobe::exponential_power_shape<T>(T(0.5f)))),
-          phong(one_width(lobe::phong_shape<T>(T(width)), width)), gtr_1(one_width(lobe::gtr_shape<T>(T(width), T(1)), width)),
-          gtr_3_2(one_width(lobe::gtr_shape<T>(T(width), T(1.5f)), width)), abc(one_width(lobe::abc_shape<T>(T(width), T(1.5f)), width)),
-          sgd(one_width(lobe::sgd_shape<T>(T(width), T(0.5f)), width)), dfg(lobe::bake_dfg<T>(lobe::smith_correlated{}, {.size = 32})) {}
+          phong(one_width(lobe::phong_shape<T>(T(width)), width)),
+          gtr_1(one_width(lobe::gtr_shape<T>(T(width), T(1)), width)),
+          gtr_3_2(one_width(lobe::gtr_shape<T>(T(width), T(1.5f)), width)),
+          abc(one_width(lobe::abc_shape<T>(T(width), T(1.5f)), width)),
+          sgd(one_width(lobe::sgd_shape<T>(T(width), T(0.5f)), width)),
+          dfg(lobe::bake_dfg<T>(lobe::smith_correlated{}, {.size = 32})) {}
 
 private:
     template <class Shape>
@@ -59,7 +62,9 @@ struct element {
     std::size_t i;
 
     T at(const stream<float>& s) const { return T(s[i]); }
-    vec3 at(const stream<float>& x, const stream<float>& y, const stream<float>& z) const { return {at(x), at(y), at(z)}; }
+    vec3 at(const stream<float>& x, const stream<float>& y, const stream<float>& z) const {
+        return {at(x), at(y), at(z)};
+    }
     vec3 at(const parameters::rgb& s) const { return at(s[0], s[1], s[2]); }
 
     vec3 v() const { return at(in.vx, in.vy, in.vz); }

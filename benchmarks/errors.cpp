@@ -30,7 +30,8 @@ const std::vector<real>& exact_results(exact_result exact, const inputs& in) {
     return results;
 }
 
-error_summary error_of(const metric& m, const std::vector<real>& exact, const inputs& in, const std::vector<float>& result) {
+error_summary error_of(const metric& m, const std::vector<real>& exact, const inputs& in,
+                       const std::vector<float>& result) {
     if (m.unit == unit_of_error::points_at_1) {
         double points = 0;
         for (std::size_t i = 0; i < count; ++i) {
@@ -50,7 +51,8 @@ error_summary error_of(const metric& m, const std::vector<real>& exact, const in
             largest = std::max(largest, d);
             squares += d * d;
         }
-        errors.push_back(static_cast<double>(m.unit == unit_of_error::direction ? std::sqrt(squares) / in.a[i] : largest));
+        errors.push_back(
+            static_cast<double>(m.unit == unit_of_error::direction ? std::sqrt(squares) / in.a[i] : largest));
     }
     if (errors.empty()) return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
     std::ranges::sort(errors);

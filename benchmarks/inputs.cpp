@@ -48,8 +48,8 @@ void store(const direction& w, stream<float>& x, stream<float>& y, stream<float>
 
 void make_parameters(inputs& in, random_numbers& random) {
     using namespace lobe::materials;
-    const lobe::conductor<lobe::vec3<double>> metals[] = {gold<double>(), silver<double>(), copper<double>(), iron<double>(),
-                                                          aluminium<double>()};
+    const lobe::conductor<lobe::vec3<double>> metals[] = {gold<double>(), silver<double>(), copper<double>(),
+                                                          iron<double>(), aluminium<double>()};
     parameters& p = in.more;
     for (std::size_t i = 0; i < count; ++i) {
         p.fraction[i] = static_cast<float>(random()) * 0.999999f;
@@ -71,7 +71,7 @@ void make_parameters(inputs& in, random_numbers& random) {
 }  // namespace
 
 void set_average_albedos(inputs& in) {
-    const lobe::detail::gauss_legendre<double> rule(32);
+    const lobe::gauss_legendre<double> rule(32);
     for (std::size_t i = 0; i < count; ++i) {
         lobe::vec3<double> average(0.0);
         const lobe::vec3<double> F0{in.r[i], in.g[i], in.b[i]};
@@ -106,18 +106,21 @@ inputs make_inputs(set which) {
         in.v_m[i] = static_cast<float>(v_m);
         in.a[i] = static_cast<float>(a);
 
-        const double ax = extreme ? 1e-4 : random.log_between(1e-3, 1), ay = random.log_between(extreme ? 1e-4 : 1e-3, 1);
+        const double ax = extreme ? 1e-4 : random.log_between(1e-3, 1),
+                     ay = random.log_between(extreme ? 1e-4 : 1e-3, 1);
         store(ggx_normal(ax, ay, random(), turn * random()), in.nx, in.ny, in.nz, i);
         in.ax[i] = static_cast<float>(ax);
         in.ay[i] = static_cast<float>(ay);
 
         in.u1[i] = static_cast<float>(random()) * 0.999999f;
         in.u2[i] = static_cast<float>(random()) * 0.999999f;
-        in.turn[i] = static_cast<float>(extreme ? std::floor(4 * random()) / 4 + random.log_between(1e-6, 1e-3) : random());
+        in.turn[i] =
+            static_cast<float>(extreme ? std::floor(4 * random()) / 4 + random.log_between(1e-6, 1e-3) : random());
         in.r[i] = static_cast<float>(random.between(0.02, 1));
         in.g[i] = static_cast<float>(random.between(0.02, 1));
         in.b[i] = static_cast<float>(random.between(0.02, 1));
-        in.index[i] = static_cast<std::uint32_t>(extreme ? 0xffffffff - ((i + 1) << 22) % 0xffffffff : i);  // many low bits set
+        // many low bits set
+        in.index[i] = static_cast<std::uint32_t>(extreme ? 0xffffffff - ((i + 1) << 22) % 0xffffffff : i);
     }
     make_parameters(in, random);
     return in;

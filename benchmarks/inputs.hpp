@@ -36,26 +36,29 @@ struct prebuilt;
 struct alignas(4096) parameters {
     using rgb = std::array<stream<float>, 3>;
 
-    stream<float> fraction;               // anything in [0,1): a weight, metallic, the roughness of a diffuse base, an anisotropy
-    stream<float> roughness;              // sqrt of a
-    stream<float> length;                 // of a mean normal
-    stream<float> eta, f0;                // of a glass
-    rgb metal_eta, metal_k;               // one of the five of lobe::materials
-    rgb metal_F0, metal_tint;             // Fresnel's reflectance along the normal, and that at 82 degrees over Schlick's
+    // anything in [0,1): a weight, metallic, the roughness of a diffuse base, an anisotropy
+    stream<float> fraction;
+    stream<float> roughness;  // sqrt of a
+    stream<float> length;     // of a mean normal
+    stream<float> eta, f0;    // of a glass
+    rgb metal_eta, metal_k;   // one of the five of lobe::materials
+    // Fresnel's reflectance along the normal, and that at 82 degrees over Schlick's
+    rgb metal_F0, metal_tint;
     rgb E_avg;                            // average albedo of GGX of the width a with the reflectance F0
     std::array<stream<float>, 4> slopes;  // of two facets; derivatives over a pixel
 };
 
 struct inputs {
-    stream<float> vx, vy, vz, lx, ly, lz;  // view and light, both above the horizon, mirrored about a visible GGX normal
-    stream<float> mx, my, mz;              // that normal
-    stream<float> v_m;                     // v.m
-    stream<float> a;                       // its width
-    stream<float> nx, ny, nz, ax, ay;      // a normal of an anisotropic GGX, and the widths
-    stream<float> u1, u2;                  // a point of the unit square
-    stream<float> turn;                    // an angle in turns
-    stream<float> r, g, b;                 // F0
-    stream<std::uint32_t> index;           // of a point of a sequence of `points`
+    // view and light, both above the horizon, mirrored about a visible GGX normal
+    stream<float> vx, vy, vz, lx, ly, lz;
+    stream<float> mx, my, mz;          // that normal
+    stream<float> v_m;                 // v.m
+    stream<float> a;                   // its width
+    stream<float> nx, ny, nz, ax, ay;  // a normal of an anisotropic GGX, and the widths
+    stream<float> u1, u2;              // a point of the unit square
+    stream<float> turn;                // an angle in turns
+    stream<float> r, g, b;             // F0
+    stream<std::uint32_t> index;       // of a point of a sequence of `points`
     std::uint32_t points = 0;
     parameters more;
 

@@ -1,6 +1,6 @@
-// What an element of a plain loop costs in instructions. instructions.sh compiles this file and runs it under callgrind, which counts
-// what lies between the two marks below; by itself the program does nothing. It stands alone and names no default, so that it compiles
-// with the headers of other revisions too.
+// What an element of a plain loop costs in instructions. instructions.sh compiles this file and runs it under
+// callgrind, which counts what lies between the two marks below; by itself the program does nothing. It stands alone
+// and names no default, so that it compiles with the headers of other revisions too.
 #include <lobe/brdf/eon.hpp>
 #include <lobe/brdf/ggx_samplers.hpp>
 #include <lobe/brdf/metallic_roughness.hpp>
@@ -36,7 +36,9 @@ struct inputs {
 
     inputs() {
         std::mt19937 random(20240229);
-        const auto between = [&](float low, float high) { return low + (high - low) * (static_cast<float>(random() >> 8) * 0x1p-24f); };
+        const auto between = [&](float low, float high) {
+            return low + (high - low) * (static_cast<float>(random() >> 8) * 0x1p-24f);
+        };
         const auto direction = [&](float* x, float* y, float* z) {
             const float cosine = between(0.05f, 1), phi = between(0, 6.28f), sine = std::sqrt(1 - cosine * cosine);
             *x = sine * std::cos(phi), *y = sine * std::sin(phi), *z = cosine;
@@ -67,8 +69,8 @@ struct element {
     auto metallic() const { return lobe::metallic_roughness(rgb(), in.mu[i], alpha{in.a[i]}); }
 };
 
-/// What `use` does with the BRDF of an element, built where it is used: clang 14 does not vectorise a loop around a function that
-/// returns one.
+/// What `use` does with the BRDF of an element, built where it is used: clang 14 does not vectorise a loop around a
+/// function that returns one.
 template <class Use>
 auto with_brdf(const Use& use) {
     return [use](const element& e) { return use(lobe::microfacet{e.ndf(), smith_correlated{}, schlick{e.rgb()}}, e); };
@@ -124,13 +126,16 @@ int main() {
     measure("f_cos", in, with_brdf([](const auto& brdf, const element& e) { return brdf.f_cos(e.v(), e.l()); }));
     measure("evaluate", in, with_brdf([](const auto& brdf, const element& e) { return brdf.evaluate(e.v(), e.l()); }));
     measure("pdf", in, with_brdf([](const auto& brdf, const element& e) { return brdf.pdf(e.v(), e.l()); }));
-    measure("sample, visible normals", in, with_brdf([](const auto& brdf, const element& e) { return brdf.sample(e.v(), e.u()); }));
+    measure("sample, visible normals", in,
+            with_brdf([](const auto& brdf, const element& e) { return brdf.sample(e.v(), e.u()); }));
     measure("sample, all normals", in, [](const element& e) {
-        return lobe::microfacet{e.ndf(), smith_correlated{}, schlick{e.rgb()}, lobe::all_normals{}}.sample(e.v(), e.u());
+        return lobe::microfacet{e.ndf(), smith_correlated{}, schlick{e.rgb()}, lobe::all_normals{}}.sample(e.v(),
+                                                                                                           e.u());
     });
     measure("metallic_roughness f_cos", in, [](const element& e) { return e.metallic().f_cos(e.v(), e.l()); });
-    measure("coated f_cos", in,
-            [](const element& e) { return lobe::coated(e.metallic(), ggx{alpha{0.125f}}, e.mu()).f_cos(e.v(), e.l()); });
+    measure("coated f_cos", in, [](const element& e) {
+        return lobe::coated(e.metallic(), ggx{alpha{0.125f}}, e.mu()).f_cos(e.v(), e.l());
+    });
     measure("eon f_cos", in, [](const element& e) { return lobe::eon{e.rgb(), e.mu()}.f_cos(e.v(), e.l()); });
     measure("eon sample", in, [](const element& e) { return lobe::eon{e.rgb(), e.mu()}.sample(e.v(), e.u()); });
     measure("D", in, [](const element& e) { return e.ndf().D(e.m()); });
@@ -138,7 +143,9 @@ int main() {
     measure("sample of the distribution", in, [](const element& e) { return e.ndf().sample(e.u()); });
     measure("schlick rgb", in, [](const element& e) { return schlick{e.rgb()}(e.mu()); });
     measure("dielectric", in, [](const element& e) { return lobe::dielectric{e.in.eta[e.i]}(e.mu()); });
-    measure("conductor rgb", in, [](const element& e) { return lobe::conductor{e.rgb(), e.in.eta[e.i] * e.rgb()}(e.mu()); });
+    measure("conductor rgb", in, [](const element& e) {
+        return lobe::conductor{e.rgb(), e.in.eta[e.i] * e.rgb()}(e.mu());
+    });
     measure("hammersley", in, [](const element& e) { return lobe::hammersley(e.in.index[e.i], count); });
     measure("dfg_table", in, [&table](const element& e) { return table(e.mu(), alpha{e.in.a[e.i]}); });
     constexpr std::uint32_t taps = 64;

@@ -5,7 +5,7 @@
 # have other names), and this tree's over them.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-source "$root/tests/setup.sh"
+source "$root/scripts/setup.sh"
 
 case ${1:-} in
     '') against= ;;

@@ -98,8 +98,8 @@ std::vector<float> results_of(const kernel& k, const inputs& in) {
 }
 
 /// `part`: all sections. `with_avx2`: the same, or none.
-void measure_errors(measurements& measured, const std::vector<section*>& part, const std::vector<section>& with_avx2, const inputs& in,
-                    std::vector<error_summary> row::*errors) {
+void measure_errors(measurements& measured, const std::vector<section*>& part, const std::vector<section>& with_avx2,
+                    const inputs& in, std::vector<error_summary> row::*errors) {
     for (std::size_t n = 0; n < part.size(); ++n)
         for (std::size_t k = 0; k < part[n]->rows.size(); ++k) {
             row& r = part[n]->rows[k];
@@ -128,7 +128,8 @@ struct alignas(4096) memory {
     std::array<float, 8 * stride> out{};
 };
 
-std::map<std::string, timing> measure_times(const std::vector<section*>& part, const std::vector<section>& with_avx2, const inputs& usual) {
+std::map<std::string, timing> measure_times(const std::vector<section*>& part, const std::vector<section>& with_avx2,
+                                            const inputs& usual) {
     const auto arrays = std::make_unique<memory>();
     const inputs& in = arrays->in = usual;
     float* const out = arrays->out.data();

@@ -1,6 +1,7 @@
-// The two ways to run a variant, a function `at` of the inputs and an index, over the arrays. Each translation unit that includes this
-// is compiled for its own instruction set; hence the unnamed namespace. `at` is inlined by force, as if its line stood in the loop:
-// as a function with two callers it would be called, and a loop with a call does not vectorise.
+// The two ways to run a variant, a function `at` of the inputs and an index, over the arrays. Each translation unit
+// that includes this is compiled for its own instruction set; hence the unnamed namespace. `at` is inlined by force, as
+// if its line stood in the loop: as a function with two callers it would be called, and a loop with a call does not
+// vectorise.
 #pragma once
 
 #include "rows.hpp"

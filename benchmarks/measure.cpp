@@ -20,7 +20,8 @@ public:
 
     void ReportRuns(const std::vector<Run>& runs) override {
         for (const Run& run : runs)
-            if (run.run_type == Run::RT_Iteration) samples[run.run_name.function_name].push_back(run.GetAdjustedCPUTime());
+            if (run.run_type == Run::RT_Iteration)
+                samples[run.run_name.function_name].push_back(run.GetAdjustedCPUTime());
     }
 
     std::map<std::string, timing> timings() {
@@ -39,7 +40,8 @@ private:
 }  // namespace
 
 void set_benchmark_options(const std::vector<std::string>& arguments) {
-    static std::vector<std::string> all{"trade_report", "--benchmark_enable_random_interleaving=true", "--benchmark_repetitions=11",
+    static std::vector<std::string> all{"trade_report", "--benchmark_enable_random_interleaving=true",
+                                        "--benchmark_repetitions=11",
                                         "--benchmark_min_time=0.008"};  // static: the library keeps a pointer
     all.insert(all.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;

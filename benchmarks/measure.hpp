@@ -1,4 +1,5 @@
-// Times by Google Benchmark: medians over repetitions whose order is shuffled, so that a drift of the machine's speed cancels.
+// Times by Google Benchmark: medians over repetitions whose order is shuffled, so that a drift of the machine's speed
+// cancels.
 #pragma once
 
 #include <functional>

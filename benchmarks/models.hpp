@@ -1,5 +1,6 @@
-// Every model of the library as rows of the report: a model is a function of an element, an operation is what is asked of it, and
-// both are generic in the scalar type, so that the same line is the kernel in float and its exact result in long double.
+// Every model of the library as rows of the report: a model is a function of an element, an operation is what is asked
+// of it, and both are generic in the scalar type, so that the same line is the kernel in float and its exact result in
+// long double.
 #pragma once
 
 #include "element.hpp"
@@ -63,8 +64,9 @@ struct sample {
     }
 };
 
-const std::vector<metric> sample_metrics{
-    {"l", unit_of_error::direction, 0, 3}, {"weight", unit_of_error::weight, 3, 3}, {"pdf", unit_of_error::relative, 6, 1}};
+const std::vector<metric> sample_metrics{{"l", unit_of_error::direction, 0, 3},
+                                         {"weight", unit_of_error::weight, 3, 3},
+                                         {"pdf", unit_of_error::relative, 6, 1}};
 
 template <class Operation, class Model>
 struct model_variant {

@@ -27,7 +27,9 @@ template <class Masking, class N>
 masked(Masking, N) -> masked<Masking, N>;
 
 struct G2 {
-    [[gnu::always_inline]] static auto of(const auto& surface, const auto& e) { return one(surface.masking.G2(surface.ndf, e.v(), e.l())); }
+    [[gnu::always_inline]] static auto of(const auto& surface, const auto& e) {
+        return one(surface.masking.G2(surface.ndf, e.v(), e.l()));
+    }
 };
 
 /// A masking that takes no constant, of GGX.
@@ -90,15 +92,20 @@ section glass(const char* title, const char* of) {
     rows.add("`dielectric`", exact);
     rows.add("`schlick`", schlick, "`dielectric`", exact);
     rows.add(
-        "`schlick_gaussian`", [](const auto& e) { return lobe::schlick_gaussian{e.at(e.in.more.f0)}; }, "`dielectric`", exact);
-    rows.add("`schlick_roughness`", [](const auto& e) { return lobe::schlick_roughness{e.at(e.in.more.f0), e.fraction()}; });
+        "`schlick_gaussian`", [](const auto& e) { return lobe::schlick_gaussian{e.at(e.in.more.f0)}; }, "`dielectric`",
+        exact);
+    rows.add("`schlick_roughness`", [](const auto& e) {
+        return lobe::schlick_roughness{e.at(e.in.more.f0), e.fraction()};
+    });
     return rows.made;
 }
 
 template <class Operation>
 section metal(const char* title, const char* of) {
     rows_of<Operation> rows(title, {{of, unit_of_error::absolute, 0, 3}});
-    constexpr auto exact = [](const auto& e) { return lobe::conductor{e.at(e.in.more.metal_eta), e.at(e.in.more.metal_k)}; };
+    constexpr auto exact = [](const auto& e) {
+        return lobe::conductor{e.at(e.in.more.metal_eta), e.at(e.in.more.metal_k)};
+    };
     rows.add("`conductor`", exact);
     rows.add(
         "`f82_tint`",
@@ -109,7 +116,8 @@ section metal(const char* title, const char* of) {
     rows.add(
         "`schlick`", [](const auto& e) { return lobe::schlick{e.at(e.in.more.metal_F0)}; }, "`conductor`", exact);
     rows.add(
-        "`schlick_gaussian`", [](const auto& e) { return lobe::schlick_gaussian{e.at(e.in.more.metal_F0)}; }, "`conductor`", exact);
+        "`schlick_gaussian`", [](const auto& e) { return lobe::schlick_gaussian{e.at(e.in.more.metal_F0)}; },
+        "`conductor`", exact);
     return rows.made;
 }
 
@@ -117,7 +125,9 @@ section diffuse_models() {
     rows_of<f_cos> rows("Diffuse BRDFs: f_cos", {{"f_cos", unit_of_error::absolute, 0, 3}});
     constexpr auto eon = [](const auto& e) { return lobe::eon{e.F0(), e.fraction()}; };
     rows.add("`lambert`", [](const auto& e) { return lobe::lambert{e.F0()}; });
-    rows.add("`oren_nayar`, qualitative model of 1994", [](const auto& e) { return lobe::oren_nayar{e.F0(), e.fraction()}; });
+    rows.add("`oren_nayar`, qualitative model of 1994", [](const auto& e) {
+        return lobe::oren_nayar{e.F0(), e.fraction()};
+    });
     rows.add("`fon`, Fujii 2012", [](const auto& e) { return lobe::fon{e.F0(), e.fraction()}; });
     rows.add("`eon`", eon);
     rows.add(

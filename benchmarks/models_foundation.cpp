@@ -8,11 +8,12 @@ namespace {
 using enum unit_of_error;
 using lobe::ggx, lobe::microfacet, lobe::schlick, lobe::smith_correlated;
 
-/// Sampled by visible normals where no sampler is named. (F0 is not `e.F0()`: a function that returns what another returned keeps
-/// clang 14 from vectorising the loop.)
+/// Sampled by visible normals where no sampler is named. (F0 is not `e.F0()`: a function that returns what another
+/// returned keeps clang 14 from vectorising the loop.)
 template <class... Sampler>
 constexpr auto ggx_lobe = []<class T>(const element<T>& e) {
-    return microfacet{ggx{e.alpha()}, smith_correlated{}, schlick{lobe::vec3<T>{e.at(e.in.r), e.at(e.in.g), e.at(e.in.b)}}, Sampler{}...};
+    return microfacet{ggx{e.alpha()}, smith_correlated{},
+                      schlick{lobe::vec3<T>{e.at(e.in.r), e.at(e.in.g), e.at(e.in.b)}}, Sampler{}...};
 };
 constexpr auto brdf = ggx_lobe<>;
 constexpr auto all_normals = ggx_lobe<lobe::all_normals>;
@@ -33,8 +34,8 @@ section D_of_v_and_l() {
     rows.against(
         "lobe `ggx::D`", [](const auto& e) { return one(ggx{e.alpha()}.D(e.v() + e.l())); }, exact);
     rows.against(
-        "textbook, half vector normalized", [](const auto& e) { return one(textbook::ggx(glm::normalize(e.v() + e.l()).z, e.a())); },
-        exact);
+        "textbook, half vector normalized",
+        [](const auto& e) { return one(textbook::ggx(glm::normalize(e.v() + e.l()).z, e.a())); }, exact);
     return rows.made;
 }
 
@@ -44,7 +45,9 @@ section anisotropic_D() {
     rows.against(
         "lobe `ggx::D`", [](const auto& e) { return one(ggx{e.alpha_xy()}.D(e.anisotropic_m())); }, exact);
     rows.against(
-        "textbook", [](const auto& e) { return one(textbook::ggx_anisotropic(e.anisotropic_m(), e.at(e.in.ax), e.at(e.in.ay))); }, exact);
+        "textbook",
+        [](const auto& e) { return one(textbook::ggx_anisotropic(e.anisotropic_m(), e.at(e.in.ax), e.at(e.in.ay))); },
+        exact);
     return rows.made;
 }
 
@@ -100,8 +103,10 @@ section whole_f_cos() {
     rows.against(
         "lobe `microfacet::f_cos`", [](const auto& e) { return three(brdf(e).f_cos(e.v(), e.l())); }, exact);
     rows.against("textbook, F D V cos", textbook_f_cos<textbook::f_cos<>>, exact);
-    rows.against("textbook, F D V cos, `pow(1-u, 5)`", textbook_f_cos<textbook::f_cos<textbook::schlick<glm::vec3>>>, exact);
-    rows.against("textbook, F D G / (4 NoV NoL + 0.001) cos, `pow`", textbook_f_cos<textbook::f_cos_guarded>, exact, "guards");
+    rows.against("textbook, F D V cos, `pow(1-u, 5)`", textbook_f_cos<textbook::f_cos<textbook::schlick<glm::vec3>>>,
+                 exact);
+    rows.against("textbook, F D G / (4 NoV NoL + 0.001) cos, `pow`", textbook_f_cos<textbook::f_cos_guarded>, exact,
+                 "guards");
     return rows.made;
 }
 
@@ -162,7 +167,8 @@ constexpr auto exact_sample = [](const auto& e) {
 section sample_visible() {
     rows_of<sample> rows("Sample visible normals: l, weight, pdf", sample_metrics);
     rows.against("lobe `sample`, `visible_normals`", brdf, exact_sample<truth::sample_caps>);
-    rows.against("textbook, Heitz 2018", textbook_sample<textbook::sample_visible>, exact_sample<truth::sample_heitz2018>);
+    rows.against("textbook, Heitz 2018", textbook_sample<textbook::sample_visible>,
+                 exact_sample<truth::sample_heitz2018>);
     return rows.made;
 }
 
@@ -183,10 +189,11 @@ constexpr auto exact_hammersley = [](const auto& e) {
 section hammersley() {
     rows_of<itself> rows("Hammersley points", {{"coordinate", absolute, 0, 2}, {"points at 1", points_at_1, 0, 2}});
     rows.against(
-        "lobe `hammersley`", [](const auto& e) { return two(lobe::hammersley(e.index(), e.in.points)); }, exact_hammersley<false>);
+        "lobe `hammersley`", [](const auto& e) { return two(lobe::hammersley(e.index(), e.in.points)); },
+        exact_hammersley<false>);
     rows.against(
-        "textbook, i/N and bits * 2.328e-10", [](const auto& e) { return two(textbook::hammersley(e.index(), e.in.points)); },
-        exact_hammersley<true>);
+        "textbook, i/N and bits * 2.328e-10",
+        [](const auto& e) { return two(textbook::hammersley(e.index(), e.in.points)); }, exact_hammersley<true>);
     return rows.made;
 }
 
@@ -228,17 +235,20 @@ constexpr auto exact_dfg = [](const auto& e) { return two(truth::dfg(e)); };
 section dfg_look_up() {
     rows_of<itself> rows("Split-sum terms: one look-up", {{"scale, bias", absolute, 0, 2}});
     rows.against(
-        "lobe `dfg_table`, 32 x 32", [](const auto& e) { return two(e.built().dfg(e.v().z, e.alpha())); }, exact_dfg, "table");
+        "lobe `dfg_table`, 32 x 32", [](const auto& e) { return two(e.built().dfg(e.v().z, e.alpha())); }, exact_dfg,
+        "table");
     rows.against(
-        "textbook, 32 x 32, 1024 samples an entry", [](const auto& e) { return two(textbook::read(*e.in.baked, e.v().z, e.a())); },
-        exact_dfg, "model, table");
+        "textbook, 32 x 32, 1024 samples an entry",
+        [](const auto& e) { return two(textbook::read(*e.in.baked, e.v().z, e.a())); }, exact_dfg, "model, table");
     rows.against(
-        "Karis 2014, mobile fit", [](const auto& e) { return two(textbook::karis_mobile(e.v().z, e.a())); }, exact_dfg, "model");
+        "Karis 2014, mobile fit", [](const auto& e) { return two(textbook::karis_mobile(e.v().z, e.a())); }, exact_dfg,
+        "model");
     return rows.made;
 }
 
 template <int Order>
-constexpr auto quadrature = [](const auto& e) { return two(lobe::dfg_exact(smith_correlated{}, e.v().z, e.alpha(), {.order = Order})); };
+constexpr auto quadrature =
+    [](const auto& e) { return two(lobe::dfg_exact(smith_correlated{}, e.v().z, e.alpha(), {.order = Order})); };
 
 section dfg_integration() {
     rows_of<itself> rows("Split-sum terms: one integration", {{"scale, bias", absolute, 0, 2}});
@@ -248,8 +258,8 @@ section dfg_integration() {
     };
     add("lobe `dfg_exact`, order 16", quadrature<16>, "quadrature");
     add(
-        "textbook, 1024 Hammersley samples", [](const auto& e) { return two(textbook::integrate_brdf(e.v().z, e.a(), 1024)); },
-        "model, noise");
+        "textbook, 1024 Hammersley samples",
+        [](const auto& e) { return two(textbook::integrate_brdf(e.v().z, e.a(), 1024)); }, "model, noise");
     add("lobe `dfg_exact`, order 32", quadrature<32>, "quadrature");
     return rows.made;
 }
@@ -257,7 +267,8 @@ section dfg_integration() {
 section dfg_baking() {
     static_assert(32 * 32 == count);
     rows_of<itself> rows("Split-sum terms: baking 32 x 32", {});
-    rows.pass("lobe `bake_dfg`", [] { return lobe::bake_dfg<float>(smith_correlated{}, {.size = 32})(0.5f, lobe::alpha{0.5f}).scale; });
+    rows.pass("lobe `bake_dfg`",
+              [] { return lobe::bake_dfg<float>(smith_correlated{}, {.size = 32})(0.5f, lobe::alpha{0.5f}).scale; });
     rows.pass("textbook, 1024 samples an entry", [] { return textbook::bake(32, 1024).scale[0]; });
     return rows.made;
 }
@@ -265,7 +276,8 @@ section dfg_baking() {
 }  // namespace
 
 std::vector<section> foundation_sections() {
-    return {D_of_a_normal(),   D_of_v_and_l(),    anisotropic_D(), correlated(),      separable(),      fresnel(),    fresnel_rgb(),
-            whole_f_cos(),     f_cos_and_pdf(),   pdf_visible(),   pdf_all(),         sample_visible(), sample_all(), hammersley(),
-            radical_inverse(), sine_and_cosine(), dfg_look_up(),   dfg_integration(), dfg_baking()};
+    return {D_of_a_normal(),   D_of_v_and_l(),   anisotropic_D(),   correlated(),    separable(),
+            fresnel(),         fresnel_rgb(),    whole_f_cos(),     f_cos_and_pdf(), pdf_visible(),
+            pdf_all(),         sample_visible(), sample_all(),      hammersley(),    radical_inverse(),
+            sine_and_cosine(), dfg_look_up(),    dfg_integration(), dfg_baking()};
 }

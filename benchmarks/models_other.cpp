@@ -6,8 +6,8 @@
 #include <lobe/energy/random_walk.hpp>
 #include <lobe/fresnel/ior.hpp>
 #include <lobe/lights/punctual.hpp>
-#include <lobe/ndf/antialiasing.hpp>
 #include <lobe/ndf/blinn_phong.hpp>
+#include <lobe/width/antialiasing.hpp>
 
 namespace {
 
@@ -27,7 +27,8 @@ constexpr vec3<T> light_position() {
 }
 
 section lights() {
-    rows_of<at_a_point> rows("Punctual lights", {{"l", unit_of_error::absolute, 0, 3}, {"E", unit_of_error::weight, 3, 1}});
+    rows_of<at_a_point> rows("Punctual lights",
+                             {{"l", unit_of_error::absolute, 0, 3}, {"E", unit_of_error::weight, 3, 1}});
     rows.add("`point_light`", []<class T>(const element<T>&) { return lobe::point_light{light_position<T>(), T(3)}; });
     rows.add("`point_light`, `inverse_square_within`", []<class T>(const element<T>&) {
         return lobe::point_light{light_position<T>(), T(3), lobe::inverse_square_within{T(1.5f)}};
@@ -51,20 +52,25 @@ result<2, T> numbers(const lobe::alpha_xy<T>& a) {
 template <template <class> class Moments, class T>
 Moments<T> averaged(const element<T>& e) {
     const auto& s = e.in.more.slopes;
-    return (Moments<T>::of(vec3<T>{e.at(s[0]), e.at(s[1]), T(1)}) + Moments<T>::of(vec3<T>{e.at(s[2]), e.at(s[3]), T(1)})) * T(0.5f);
+    return (Moments<T>::of(vec3<T>{e.at(s[0]), e.at(s[1]), T(1)}) +
+            Moments<T>::of(vec3<T>{e.at(s[2]), e.at(s[3]), T(1)})) *
+           T(0.5f);
 }
 
 section antialiasing() {
     rows_of<itself> rows("Anti-aliasing: an isotropic width", {{"alpha", unit_of_error::relative, 0, 1}});
-    rows.add("Toksvig 2005, `widened` by `toksvig_variance`",
-             [](const auto& e) { return number(lobe::widened(e.alpha(), lobe::toksvig_variance(e.at(e.in.more.length)))); });
+    rows.add("Toksvig 2005, `widened` by `toksvig_variance`", [](const auto& e) {
+        return number(lobe::widened(e.alpha(), lobe::toksvig_variance(e.at(e.in.more.length))));
+    });
     rows.add("Toksvig 2005, `toksvig_exponent`",
              [](const auto& e) { return one(lobe::toksvig_exponent(e.at(e.in.more.eta), e.at(e.in.more.length))); });
-    rows.add("CLEAN, two `clean_moments`, `widened`",
-             [](const auto& e) { return number(lobe::widened(e.alpha(), averaged<lobe::clean_moments>(e).variance())); });
+    rows.add("CLEAN, two `clean_moments`, `widened`", [](const auto& e) {
+        return number(lobe::widened(e.alpha(), averaged<lobe::clean_moments>(e).variance()));
+    });
     rows.add("Tokuyoshi & Kaplanyan 2021, `widened_by_pixel`", []<class T>(const element<T>& e) {
         const auto& s = e.in.more.slopes;
-        return number(lobe::widened_by_pixel(e.alpha(), {e.at(s[0]), e.at(s[1]), T(0)}, {e.at(s[2]), e.at(s[3]), T(0)}));
+        return number(
+            lobe::widened_by_pixel(e.alpha(), {e.at(s[0]), e.at(s[1]), T(0)}, {e.at(s[2]), e.at(s[3]), T(0)}));
     });
     return rows.made;
 }
@@ -72,24 +78,34 @@ section antialiasing() {
 section anisotropic_antialiasing() {
     rows_of<itself> rows("Anti-aliasing: widths along axes of their own",
                          {{"wide", unit_of_error::relative, 0, 1}, {"narrow", unit_of_error::relative, 1, 1}});
-    rows.add("LEAN, two `lean_moments`, `widened`",
-             [](const auto& e) { return numbers(lobe::widened(e.alpha_xy(), averaged<lobe::lean_moments>(e).covariance()).width); });
+    rows.add("LEAN, two `lean_moments`, `widened`", [](const auto& e) {
+        return numbers(lobe::widened(e.alpha_xy(), averaged<lobe::lean_moments>(e).covariance()).width);
+    });
     rows.add("Tokuyoshi & Kaplanyan 2021, `widened_by_half_vector`", []<class T>(const element<T>& e) {
         const auto& s = e.in.more.slopes;
-        return numbers(lobe::widened_by_half_vector(e.alpha_xy(), vec2<T>{e.at(s[0]), e.at(s[1])}, vec2<T>{e.at(s[2]), e.at(s[3])}).width);
+        return numbers(
+            lobe::widened_by_half_vector(e.alpha_xy(), vec2<T>{e.at(s[0]), e.at(s[1])}, vec2<T>{e.at(s[2]), e.at(s[3])})
+                .width);
     });
     return rows.made;
 }
 
 section conversions() {
     rows_of<itself> rows("Roughness, exponent, index", {{"result", unit_of_error::relative, 0, 1}});
-    rows.add("`alpha::from_roughness`",
-             []<class T>(const element<T>& e) { return number(lobe::alpha<T>::from_roughness(e.at(e.in.more.roughness))); });
-    rows.add("`exponent_from_alpha`", [](const auto& e) { return one(lobe::exponent_from_alpha(e.alpha())); });
-    rows.add("`alpha_from_exponent`", [](const auto& e) { return number(lobe::alpha_from_exponent(e.at(e.in.more.eta))); });
-    rows.add("`phong_exponent_from_alpha`", [](const auto& e) { return one(lobe::phong_exponent_from_alpha(e.alpha())); });
-    rows.add("`alpha_from_phong_exponent`", [](const auto& e) { return number(lobe::alpha_from_phong_exponent(e.at(e.in.more.eta))); });
-    rows.add("`exponent_from_gloss`", []<class T>(const element<T>& e) { return one(lobe::exponent_from_gloss(e.fraction(), T(8192))); });
+    rows.add("`alpha::from_roughness`", []<class T>(const element<T>& e) {
+        return number(lobe::alpha<T>::from_roughness(e.at(e.in.more.roughness)));
+    });
+    rows.add("`blinn_phong_exponent_from_alpha`",
+             [](const auto& e) { return one(lobe::blinn_phong_exponent_from_alpha(e.alpha())); });
+    rows.add("`alpha_from_blinn_phong_exponent`",
+             [](const auto& e) { return number(lobe::alpha_from_blinn_phong_exponent(e.at(e.in.more.eta))); });
+    rows.add("`phong_exponent_from_alpha`",
+             [](const auto& e) { return one(lobe::phong_exponent_from_alpha(e.alpha())); });
+    rows.add("`alpha_from_phong_exponent`",
+             [](const auto& e) { return number(lobe::alpha_from_phong_exponent(e.at(e.in.more.eta))); });
+    rows.add("`blinn_phong_exponent_from_gloss`", []<class T>(const element<T>& e) {
+        return one(lobe::blinn_phong_exponent_from_gloss(e.fraction(), T(8192)));
+    });
     rows.add("`f0_from_ior`", [](const auto& e) { return one(lobe::f0_from_ior(e.at(e.in.more.eta))); });
     rows.add("`ior_from_f0`", [](const auto& e) { return one(lobe::ior_from_f0(e.at(e.in.more.f0))); });
     return rows.made;
@@ -97,8 +113,9 @@ section conversions() {
 
 section anisotropies() {
     rows_of<itself> rows("Anisotropy", {{"alpha x, y", unit_of_error::relative, 0, 2}});
-    rows.add("`alpha_xy::from_disney`",
-             []<class T>(const element<T>& e) { return numbers(lobe::alpha_xy<T>::from_disney(e.at(e.in.more.roughness), e.fraction())); });
+    rows.add("`alpha_xy::from_disney`", []<class T>(const element<T>& e) {
+        return numbers(lobe::alpha_xy<T>::from_disney(e.at(e.in.more.roughness), e.fraction()));
+    });
     rows.add("`alpha_xy::from_imageworks`", []<class T>(const element<T>& e) {
         return numbers(lobe::alpha_xy<T>::from_imageworks(e.at(e.in.more.roughness), e.fraction()));
     });
@@ -144,8 +161,9 @@ constexpr int walks = 4096;
 section multiple_scattering() {
     rows_of<itself> rows("Multiple scattering", {{"albedo", unit_of_error::absolute, 0, 3}});
     rows.add(
-        "`fdez_aguera`, terms from `dfg_table`", [](const auto& e) { return fdez_aguera(e, e.built().dfg(e.v().z, e.alpha())); },
-        "`random_walk`", [](const auto& e) { return mean_of_walks(e, walks); });
+        "`fdez_aguera`, terms from `dfg_table`",
+        [](const auto& e) { return fdez_aguera(e, e.built().dfg(e.v().z, e.alpha())); }, "`random_walk`",
+        [](const auto& e) { return mean_of_walks(e, walks); });
     rows.add("`random_walk`, one walk", [](const auto& e) { return mean_of_walks(e, 1); });
     rows.only_timed();
     return rows.made;

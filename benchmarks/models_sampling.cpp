@@ -28,12 +28,14 @@ std::string text(const char* format, double x) {
     return buffer;
 }
 
-/// var(weight)/mean(weight)^2 over all samples, failed ones included: the number of samples that leaves an error of 100 %.
+/// var(weight)/mean(weight)^2 over all samples, failed ones included: the number of samples that leaves an error of 100
+/// %.
 double relative_variance(const auto& brdf, double mu) {
     constexpr std::uint32_t n = 1 << 16;
     double sum = 0, squares = 0;
     for (std::uint32_t i = 0; i < n; ++i) {
-        const double weight = brdf.sample({std::sqrt((1 - mu) * (1 + mu)), 0, mu}, lobe::hammersley<double>(i, n)).weight;
+        const double weight =
+            brdf.sample({std::sqrt((1 - mu) * (1 + mu)), 0, mu}, lobe::hammersley<double>(i, n)).weight;
         sum += weight;
         squares += weight * weight;
     }
@@ -45,19 +47,23 @@ double relative_variance(const Sampler& sampler, double width, double mu) {
 }
 
 std::vector<std::vector<std::string>> diffuse_variances() {
-    std::vector<std::vector<std::string>> table{{"variance / mean^2 of the weight"}, {"`backscatter_sampling`"}, {"`cosine_sampling`"}};
+    std::vector<std::vector<std::string>> table{
+        {"variance / mean^2 of the weight"}, {"`backscatter_sampling`"}, {"`cosine_sampling`"}};
     for (const double r : {0.1, 0.5, 1.0})
         for (const double mu : {0.5, 0.1, 0.01}) {
             table[0].push_back("r " + text("%.1f", r) + ", cos " + text("%.2f", mu));
             table[1].push_back(text("%.2g", relative_variance(lobe::eon{1.0, r}, mu)));
-            table[2].push_back(text("%.2g", relative_variance(lobe::eon{1.0, r, lobe::fon_loss{}, lobe::cosine_sampling{}}, mu)));
+            table[2].push_back(
+                text("%.2g", relative_variance(lobe::eon{1.0, r, lobe::fon_loss{}, lobe::cosine_sampling{}}, mu)));
         }
     return table;
 }
 
 std::vector<std::vector<std::string>> variances() {
-    std::vector<std::vector<std::string>> table{
-        {"variance / mean^2 of the weight"}, {"`visible_normals`, `visible_heitz2018`"}, {"`visible_bounded_caps`"}, {"`all_normals`"}};
+    std::vector<std::vector<std::string>> table{{"variance / mean^2 of the weight"},
+                                                {"`visible_normals`, `visible_heitz2018`"},
+                                                {"`visible_bounded_caps`"},
+                                                {"`all_normals`"}};
     for (const double width : {0.1, 0.5, 1.0})
         for (const double mu : {0.95, 0.5, 0.1}) {
             table[0].push_back("alpha " + text("%.1f", width) + ", cos " + text("%.2f", mu));
@@ -79,27 +85,33 @@ std::vector<section> samplers() {
     rows_of<sample> others("Samplers of other distributions", sample_metrics);
     const auto student = []<class T>(const element<T>& e) { return lobe_of(lobe::student_t{e.alpha(), T(2.5f)}, e); };
     others.add("`beckmann`, visible normals", [](const auto& e) { return lobe_of(lobe::beckmann{e.alpha()}, e); });
-    others.add("`beckmann`, `all_normals`", [](const auto& e) { return lobe_of(lobe::beckmann{e.alpha()}, e, lobe::all_normals{}); });
+    others.add("`beckmann`, `all_normals`",
+               [](const auto& e) { return lobe_of(lobe::beckmann{e.alpha()}, e, lobe::all_normals{}); });
     others.add("`student_t`, gamma 2.5, visible normals", student);
     others.not_in_a_loop();
 
-    rows_of<sample> diffuse(
-        "Samplers of `eon`",
-        {{"l", unit_of_error::absolute, 0, 3}, {"weight", unit_of_error::weight, 3, 3}, {"pdf", unit_of_error::relative, 6, 1}});
-    diffuse.add("`backscatter_sampling`", [](const auto& e) { return lobe::eon{e.F0(), e.fraction(), lobe::fon_loss_fit{}}; });
+    rows_of<sample> diffuse("Samplers of `eon`", {{"l", unit_of_error::absolute, 0, 3},
+                                                  {"weight", unit_of_error::weight, 3, 3},
+                                                  {"pdf", unit_of_error::relative, 6, 1}});
+    diffuse.add("`backscatter_sampling`", [](const auto& e) {
+        return lobe::eon{e.F0(), e.fraction(), lobe::fon_loss_fit{}};
+    });
     diffuse.add("`cosine_sampling`", [](const auto& e) {
         return lobe::eon{e.F0(), e.fraction(), lobe::fon_loss_fit{}, lobe::cosine_sampling{}};
     });
     if (exact_results_too) diffuse.made.extra = diffuse_variances();
 
     rows_of<itself> maps("Maps of the square", {{"x, y, z", unit_of_error::absolute, 0, 3}});
-    maps.add("`square_to_cosine_hemisphere`", [](const auto& e) { return three(lobe::square_to_cosine_hemisphere(e.u())); });
+    maps.add("`square_to_cosine_hemisphere`",
+             [](const auto& e) { return three(lobe::square_to_cosine_hemisphere(e.u())); });
     maps.add("`square_to_cosine_hemisphere_concentric`",
              [](const auto& e) { return three(lobe::square_to_cosine_hemisphere_concentric(e.u())); });
-    maps.add("`square_to_uniform_hemisphere`", [](const auto& e) { return three(lobe::square_to_uniform_hemisphere(e.u())); });
+    maps.add("`square_to_uniform_hemisphere`",
+             [](const auto& e) { return three(lobe::square_to_uniform_hemisphere(e.u())); });
     rows_of<itself> disks("Maps of the square: disks", {{"x, y", unit_of_error::absolute, 0, 2}});
     disks.add("`square_to_uniform_disk`", [](const auto& e) { return two(lobe::square_to_uniform_disk(e.u())); });
-    disks.add("`square_to_uniform_disk_concentric`", [](const auto& e) { return two(lobe::square_to_uniform_disk_concentric(e.u())); });
+    disks.add("`square_to_uniform_disk_concentric`",
+              [](const auto& e) { return two(lobe::square_to_uniform_disk_concentric(e.u())); });
     return {of_ggx.made, others.made, diffuse.made, maps.made, disks.made};
 }
 
@@ -117,7 +129,8 @@ template <class T>
 struct exact_albedo {
     const element<T>& e;
     lobe::vec3<T> operator()(const T& mu) const {
-        const auto t = lobe::dfg_exact(smith_correlated{}, static_cast<double>(mu), alpha{double(e.in.a[e.i])}, {.order = 32});
+        const auto t =
+            lobe::dfg_exact(smith_correlated{}, static_cast<double>(mu), alpha{double(e.in.a[e.i])}, {.order = 32});
         return e.F0() * T(t.scale) + lobe::vec3<T>(T(t.bias));
     }
 };
@@ -131,7 +144,8 @@ struct exact_albedo {
 }
 
 template <template <class> class Albedo>
-constexpr auto with_albedo = []<class T>(const element<T>& e) { return over_lambert(e, lobe::albedo_coupling{Albedo<T>{e}}); };
+constexpr auto with_albedo =
+    []<class T>(const element<T>& e) { return over_lambert(e, lobe::albedo_coupling{Albedo<T>{e}}); };
 template <template <class> class Albedo>
 constexpr auto reciprocal = []<class T>(const element<T>& e) {
     return over_lambert(e, lobe::reciprocal_coupling{Albedo<T>{e}, e.at(e.in.more.E_avg)});
@@ -148,14 +162,17 @@ rows_of<Operation> compositions(const char* title, std::vector<metric> metrics) 
     };
     rows.add("`microfacet` alone", ggx_lobe<lobe::visible_normals>);
     rows.add("`metallic_roughness`", [](const auto& e) { return metallic(e); });
-    rows.add("`layered`, `fresnel_coupling`", [](const auto& e) { return over_lambert(e, lobe::fresnel_coupling{schlick{e.F0()}}); });
+    rows.add("`layered`, `fresnel_coupling`",
+             [](const auto& e) { return over_lambert(e, lobe::fresnel_coupling{schlick{e.F0()}}); });
     from_table("`layered`, `albedo_coupling`, table", with_albedo<table_albedo>, with_albedo<exact_albedo>);
     from_table("`layered`, `reciprocal_coupling`, table", reciprocal<table_albedo>, reciprocal<exact_albedo>);
-    rows.add("`coated` `metallic_roughness`",
-             []<class T>(const element<T>& e) { return lobe::coated(metallic(e), ggx{alpha<T>(T(0.125f))}, e.fraction()); });
+    rows.add("`coated` `metallic_roughness`", []<class T>(const element<T>& e) {
+        return lobe::coated(metallic(e), ggx{alpha<T>(T(0.125f))}, e.fraction());
+    });
     rows.add("`sum` of two specular lobes", []<class T>(const element<T>& e) {
         const T w = e.fraction();
-        return lobe::sum{lobe::weighted{T(1) - w, lobe_of(ggx{e.alpha()}, e)}, lobe::weighted{w, lobe_of(ggx{alpha<T>(T(0.5f))}, e)}};
+        return lobe::sum{lobe::weighted{T(1) - w, lobe_of(ggx{e.alpha()}, e)},
+                         lobe::weighted{w, lobe_of(ggx{alpha<T>(T(0.5f))}, e)}};
     });
     return rows;
 }
@@ -166,7 +183,8 @@ std::vector<section> sampler_models() {
     using enum unit_of_error;
     std::vector<section> all = samplers();
     all.push_back(compositions<f_cos>("Compositions: f_cos", {{"f_cos", relative, 0, 3}}).made);
-    all.push_back(compositions<evaluate>("Compositions: f_cos and pdf together", {{"f_cos, pdf", relative, 0, 4}}).made);
+    all.push_back(
+        compositions<evaluate>("Compositions: f_cos and pdf together", {{"f_cos, pdf", relative, 0, 4}}).made);
     all.push_back(compositions<sample>("Compositions: sample", sample_metrics).made);
     return all;
 }

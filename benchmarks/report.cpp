@@ -48,7 +48,8 @@ const std::string compiler =
 /// What the places of the template are filled with.
 using contents = std::map<std::string, std::optional<std::string>>;
 
-/// The template with every @place@ filled; `@table@` is that of the heading above it. A line with a place that has nothing is left out.
+/// The template with every @place@ filled; `@table@` is that of the heading above it. A line with a place that has
+/// nothing is left out.
 std::string filled(const std::string& text, const contents& values) {
     std::istringstream lines(text);
     std::string all, title;
@@ -62,7 +63,8 @@ std::string filled(const std::string& text, const contents& values) {
             std::string place = line.substr(from + 1, to - from - 1);
             if (place == "table") place = title;
             const auto found = values.find(place);
-            if (found == values.end()) throw std::runtime_error("the template has a place that nothing fills: " + place);
+            if (found == values.end())
+                throw std::runtime_error("the template has a place that nothing fills: " + place);
             used.insert(place);
             whole &= found->second.has_value();
             const std::string with = found->second.value_or("");
@@ -101,7 +103,8 @@ std::string links(const std::vector<section>& sections) {
 
 class writer {
 public:
-    writer(const std::vector<section>& of_foundation, const std::vector<section>& of_models, const measurements& results)
+    writer(const std::vector<section>& of_foundation, const std::vector<section>& of_models,
+           const measurements& results)
         : foundation(of_foundation), models(of_models), measured(results) {}
 
     contents all() const {
@@ -151,7 +154,8 @@ private:
         if (spreads.empty()) return "";
         std::ranges::sort(spreads);
         return formatted("%.0f",
-                         100 * spreads[std::min(spreads.size() - 1, static_cast<std::size_t>(q * static_cast<double>(spreads.size())))]);
+                         100 * spreads[std::min(spreads.size() - 1,
+                                                static_cast<std::size_t>(q * static_cast<double>(spreads.size())))]);
     }
 
     std::string summary() const {
@@ -198,7 +202,8 @@ private:
                 if (!r.usual.empty()) {
                     const metric& measure = s.metrics[m % s.metrics.size()];
                     error_of = measure.of;
-                    if (measure.unit != unit_of_error::points_at_1) error_of += ": " + r.references[m / s.metrics.size()].kind;
+                    if (measure.unit != unit_of_error::points_at_1)
+                        error_of += ": " + r.references[m / s.metrics.size()].kind;
                 }
                 std::vector<std::string> line{first(r.label), error_of, first(nanoseconds(time(r.name, "/one"))),
                                               first(nanoseconds(time(r.name, "/loop")))};
@@ -222,7 +227,7 @@ private:
 
 }  // namespace
 
-std::string report(const std::string& layout, const std::vector<section>& foundation, const std::vector<section>& models,
-                   const measurements& measured) {
+std::string report(const std::string& layout, const std::vector<section>& foundation,
+                   const std::vector<section>& models, const measurements& measured) {
     return filled(layout, writer(foundation, models, measured).all());
 }

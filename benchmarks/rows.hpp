@@ -26,7 +26,8 @@ struct metric {
 /// A variant as the measurements see it.
 struct kernel {
     std::size_t components;  // of its result
-    /// Calls one element after the other, each call waiting for the one before. `zero` is 0 and the compiler does not know it.
+    /// Calls one element after the other, each call waiting for the one before. `zero` is 0 and the compiler does not
+    /// know it.
     std::uint32_t (*one_at_a_time)(const inputs&, std::uint32_t zero);
     /// out[k * stride + i] = component k of element i.
     void (*loop)(const inputs&, float* out);
@@ -60,8 +61,8 @@ struct section {
     std::vector<std::vector<std::string>> extra = {};  // another table, its header first
 };
 
-/// The foundation, beside the forms that tutorials print: of each section lobe's row first, the textbook form of the same second,
-/// approximations after them.
+/// The foundation, beside the forms that tutorials print: of each section lobe's row first, the textbook form of the
+/// same second, approximations after them.
 std::vector<section> foundation_sections();
 /// Every model of the library.
 std::vector<section> distribution_models();

@@ -2,7 +2,7 @@
 # Builds the benchmarks, runs them and writes docs/tradeoff.md.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-source "$root/tests/setup.sh"
+source "$root/scripts/setup.sh"
 need cmake ninja-build g++ libglm-dev libbenchmark-dev
 
 cd "$root"

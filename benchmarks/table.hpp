@@ -25,7 +25,8 @@ public:
             out << "|\n";
             if (n) continue;
             for (std::size_t k = 0; k < width.size(); ++k)
-                out << (k < t.text ? "|:" + std::string(width[k] + 1, '-') : '|' + std::string(width[k] + 1, '-') + ':');
+                out << (k < t.text ? "|:" + std::string(width[k] + 1, '-')
+                                   : '|' + std::string(width[k] + 1, '-') + ':');
             out << "|\n";
         }
         return out;

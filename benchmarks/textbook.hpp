@@ -1,5 +1,5 @@
-// The forms that tutorials print, in float, on GLM, for comparison only: the guards, clamps, powers and cancelling differences
-// are theirs. Sources name the equation; the way to write it is that of the shader listings in circulation.
+// The forms that tutorials print, in float, on GLM, for comparison only: the guards, clamps, powers and cancelling
+// differences are theirs. Sources name the equation; the way to write it is that of the shader listings in circulation.
 #pragma once
 
 #include "inputs.hpp"
@@ -52,7 +52,9 @@ inline float G1(float NoX, float a) {
 }
 
 /// Smith 1967; Walter et al. 2007, eq. 23.
-inline float visibility_separable(float NoV, float NoL, float a) { return G1(NoV, a) * G1(NoL, a) / (4.0f * NoV * NoL); }
+inline float visibility_separable(float NoV, float NoL, float a) {
+    return G1(NoV, a) * G1(NoL, a) / (4.0f * NoV * NoL);
+}
 
 /// Schlick 1994; Karis 2013, k = alpha/2: approximates the separable form.
 inline float schlick_ggx(float NoX, float k) { return NoX / (NoX * (1.0f - k) + k); }
@@ -91,14 +93,17 @@ inline vec3 f_cos(const vec3& v, const vec3& l, float a, const vec3& F0) {
 inline vec3 f_cos_guarded(const vec3& v, const vec3& l, float a, const vec3& F0) {
     const cosines c(v, l);
     const float a2 = a * a;
-    const float G =
-        2.0f * c.NoL * c.NoV /
-        std::max(c.NoL * std::sqrt(c.NoV * c.NoV * (1.0f - a2) + a2) + c.NoV * std::sqrt(c.NoL * c.NoL * (1.0f - a2) + a2), 1e-4f);
+    const float G = 2.0f * c.NoL * c.NoV /
+                    std::max(c.NoL * std::sqrt(c.NoV * c.NoV * (1.0f - a2) + a2) +
+                                 c.NoV * std::sqrt(c.NoL * c.NoL * (1.0f - a2) + a2),
+                             1e-4f);
     return ggx(c.NoH, a) * schlick(F0, c.VoH) * G / (4.0f * c.NoV * c.NoL + 0.001f) * c.NoL;
 }
 
 /// Density of light directions, visible normals: G1 D VoH / NoV / (4 VoH). Heitz 2018.
-inline float pdf_visible(const cosines& c, float a) { return G1(c.NoV, a) * ggx(c.NoH, a) * c.VoH / c.NoV / (4.0f * c.VoH); }
+inline float pdf_visible(const cosines& c, float a) {
+    return G1(c.NoV, a) * ggx(c.NoH, a) * c.VoH / c.NoV / (4.0f * c.VoH);
+}
 
 /// ... all normals: D NoH / (4 VoH). Walter et al. 2007, eq. 24, 38.
 inline float pdf_all(const cosines& c, float a) { return ggx(c.NoH, a) * c.NoH / (4.0f * c.VoH); }
@@ -113,7 +118,8 @@ inline sampled reflect_and_weigh(const vec3& v, const vec3& h, float a, const ve
     const float NoV = v.z, NoL = l.z, NoH = h.z, VoH = glm::dot(v, h);
     if (NoL <= 0.0f || VoH <= 0.0f) return {vec3(0.0f, 0.0f, 1.0f), vec3(0.0f), 0.0f};
     const float a2 = a * a;
-    const float G = 2.0f * NoL * NoV / (NoL * std::sqrt(NoV * NoV * (1.0f - a2) + a2) + NoV * std::sqrt(NoL * NoL * (1.0f - a2) + a2));
+    const float G = 2.0f * NoL * NoV /
+                    (NoL * std::sqrt(NoV * NoV * (1.0f - a2) + a2) + NoV * std::sqrt(NoL * NoL * (1.0f - a2) + a2));
     const vec3 F = schlick_products(F0, VoH);
     if (visible) return {l, F * (G / G1(NoV, a)), G1(NoV, a) * ggx(NoH, a) / (4.0f * NoV)};
     return {l, F * (G * VoH / (NoV * NoH)), ggx(NoH, a) * NoH / (4.0f * VoH)};
@@ -153,7 +159,9 @@ inline float radical_inverse(std::uint32_t bits) {
     bits = ((bits & 0x00FF00FFu) << 8) | ((bits & 0xFF00FF00u) >> 8);
     return static_cast<float>(bits) * 2.3283064365386963e-10f;
 }
-inline vec2 hammersley(std::uint32_t i, std::uint32_t N) { return {static_cast<float>(i) / static_cast<float>(N), radical_inverse(i)}; }
+inline vec2 hammersley(std::uint32_t i, std::uint32_t N) {
+    return {static_cast<float>(i) / static_cast<float>(N), radical_inverse(i)};
+}
 
 /// Karis 2013, "Real Shading in Unreal Engine 4": the split sum by Monte Carlo, one entry of the table.
 inline vec2 integrate_brdf(float NoV, float a, std::uint32_t samples) {
@@ -178,7 +186,8 @@ inline textbook_table bake(int size, std::uint32_t samples) {
     for (int row = 0; row < size; ++row) {
         const float roughness = (static_cast<float>(row) + 0.5f) / static_cast<float>(size);
         for (int column = 0; column < size; ++column) {
-            const vec2 t = integrate_brdf((static_cast<float>(column) + 0.5f) / static_cast<float>(size), roughness * roughness, samples);
+            const vec2 t = integrate_brdf((static_cast<float>(column) + 0.5f) / static_cast<float>(size),
+                                          roughness * roughness, samples);
             table.scale.push_back(t.x);
             table.bias.push_back(t.y);
         }
@@ -191,7 +200,8 @@ inline vec2 read(const textbook_table& table, float NoV, float a) {
     const float last = static_cast<float>(table.size - 1);
     const float x = std::clamp(NoV * static_cast<float>(table.size) - 0.5f, 0.0f, last);
     const float y = std::clamp(std::sqrt(a) * static_cast<float>(table.size) - 0.5f, 0.0f, last);
-    const int column = std::min(static_cast<int>(x), table.size - 2), row = std::min(static_cast<int>(y), table.size - 2);
+    const int column = std::min(static_cast<int>(x), table.size - 2),
+              row = std::min(static_cast<int>(y), table.size - 2);
     const float tx = x - static_cast<float>(column), ty = y - static_cast<float>(row);
     const auto at = [&](const float* corner) {
         const float low = corner[0] * (1.0f - tx) + corner[1] * tx;

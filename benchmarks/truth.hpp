@@ -1,5 +1,5 @@
-// What the foundation's rows are measured against: the same quantities in long double, from the same float inputs, written from the
-// formulas in components, without the library (the split sum excepted).
+// What the foundation's rows are measured against: the same quantities in long double, from the same float inputs,
+// written from the formulas in components, without the library (the split sum excepted).
 #pragma once
 
 #include "element.hpp"
@@ -26,8 +26,12 @@ inline real D(const vec3& m, real ax, real ay) {
 inline real S(const vec3& w, real a) { return std::sqrt(a * a * (w.x * w.x + w.y * w.y) + w.z * w.z); }
 inline real projected_area(const vec3& w, real a) { return (w.z + S(w, a)) / 2; }
 
-inline real visibility_correlated(const vec3& v, const vec3& l, real a) { return 1 / (2 * (l.z * S(v, a) + v.z * S(l, a))); }
-inline real visibility_separable(const vec3& v, const vec3& l, real a) { return 1 / (4 * projected_area(v, a) * projected_area(l, a)); }
+inline real visibility_correlated(const vec3& v, const vec3& l, real a) {
+    return 1 / (2 * (l.z * S(v, a) + v.z * S(l, a)));
+}
+inline real visibility_separable(const vec3& v, const vec3& l, real a) {
+    return 1 / (4 * projected_area(v, a) * projected_area(l, a));
+}
 
 template <class Spectrum>
 Spectrum schlick(const Spectrum& F0, real u) {
@@ -39,7 +43,9 @@ inline vec3 f_cos(const element& e) {
     return schlick(e.F0(), std::sqrt(dot(s, s)) / 2) * (D(s, e.a(), e.a()) * visibility_correlated(v, l, e.a()) * l.z);
 }
 
-inline real pdf_visible(const element& e) { return D(e.v() + e.l(), e.a(), e.a()) / (4 * projected_area(e.v(), e.a())); }
+inline real pdf_visible(const element& e) {
+    return D(e.v() + e.l(), e.a(), e.a()) / (4 * projected_area(e.v(), e.a()));
+}
 
 inline real pdf_all(const element& e) {
     const vec3 s = e.v() + e.l();
@@ -52,7 +58,8 @@ struct sampled {
     real pdf;
 };
 
-/// Reflects about m. Where the reflection grazes the horizon rounding decides whether the sample fails: those are not counted.
+/// Reflects about m. Where the reflection grazes the horizon rounding decides whether the sample fails: those are not
+/// counted.
 inline sampled reflect(const element& e, const vec3& m, bool visible) {
     const vec3 v = e.v();
     const real a = e.a(), v_m = dot(v, m);
@@ -97,7 +104,8 @@ inline real radical_inverse(std::uint32_t i) {
 
 /// (scale, bias) by lobe's own quadrature at order 128, in double, which the tests compare with the reference tables.
 inline vec2 dfg(const element& e) {
-    const auto t = lobe::dfg_exact(lobe::smith_correlated{}, double(e.v().z), lobe::alpha{double(e.a())}, {.order = 128});
+    const auto t =
+        lobe::dfg_exact(lobe::smith_correlated{}, double(e.v().z), lobe::alpha{double(e.a())}, {.order = 128});
     return {t.scale, t.bias};
 }
 

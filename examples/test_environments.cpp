@@ -1,6 +1,6 @@
-// Makes Radiance and OpenEXR files, good and bad, and compares what load_environment reads with what was written. The pixels of
-// each file are a formula of x and y that no flip, crop or swap of channels leaves alone; conversions of colour are compared
-// with published matrices. Run by test_environments.sh.
+// Makes Radiance and OpenEXR files, good and bad, and compares what load_environment reads with what was written. The
+// pixels of each file are a formula of x and y that no flip, crop or swap of channels leaves alone; conversions of
+// colour are compared with published matrices. Run by test_environments.sh.
 #include "render_spheres/environment.hpp"
 
 #include <cmath>
@@ -64,7 +64,8 @@ outcome load(const std::string& file) {
 }
 
 /// Each channel within tolerance times the largest of the pixel.
-void reads(const std::string& file, int width, int height, const colour& expected, double tolerance = 0, const std::string& says = "") {
+void reads(const std::string& file, int width, int height, const colour& expected, double tolerance = 0,
+           const std::string& says = "") {
     const outcome got = load(file);
     std::ostringstream complaint;
     if (!got.error.empty()) {
@@ -80,8 +81,8 @@ void reads(const std::string& file, int width, int height, const colour& expecte
                 const double largest = std::max({std::abs(want.x), std::abs(want.y), std::abs(want.z)});
                 for (int i = 0; i < 3; ++i)
                     if (!(std::abs(have[i] - want[i]) <= tolerance * largest)) {
-                        complaint << "pixel " << x << ' ' << y << " is " << have.x << ' ' << have.y << ' ' << have.z << ", not " << want.x
-                                  << ' ' << want.y << ' ' << want.z;
+                        complaint << "pixel " << x << ' ' << y << " is " << have.x << ' ' << have.y << ' ' << have.z
+                                  << ", not " << want.x << ' ' << want.y << ' ' << want.z;
                         break;
                     }
             }
@@ -93,18 +94,22 @@ void refuses(const std::string& file, const std::string& says) {
     const outcome got = load(file);
     if (got.error.empty())
         report(file, "is read, and ought to be refused: " + says);
-    else if (got.error.find(says) == std::string::npos || got.error.find('\n') != std::string::npos || !got.error.starts_with(file))
+    else if (got.error.find(says) == std::string::npos || got.error.find('\n') != std::string::npos ||
+             !got.error.starts_with(file))
         report(file, "says \"" + got.error + "\", not \"" + says + '"');
     else
         report(file, "");
 }
 
-// ---- Radiance ----------------------------------------------------------------------------------------------------------------
+// ---- Radiance
+// ----------------------------------------------------------------------------------------------------------------
 
 using bytes = std::string;
 using grid = std::vector<std::vector<bytes>>;  // scanlines of pixels of four bytes
 
-bytes pixel(int r, int g, int b, int e) { return {static_cast<char>(r), static_cast<char>(g), static_cast<char>(b), static_cast<char>(e)}; }
+bytes pixel(int r, int g, int b, int e) {
+    return {static_cast<char>(r), static_cast<char>(g), static_cast<char>(b), static_cast<char>(e)};
+}
 
 constexpr int wide = 16, high = 8;
 
@@ -131,7 +136,8 @@ bytes old_runs(const grid& lines) {
         for (std::size_t i = 0, next; i < line.size(); i = next) {
             for (next = i + 1; next < line.size() && line[next] == line[i];) ++next;
             all += line[i];
-            for (std::size_t count = next - i - 1; count > 0; count >>= 8) all += pixel(1, 1, 1, static_cast<int>(count & 255));
+            for (std::size_t count = next - i - 1; count > 0; count >>= 8)
+                all += pixel(1, 1, 1, static_cast<int>(count & 255));
         }
     return all;
 }
@@ -181,12 +187,15 @@ colour converted(const dmat3& m, const colour& from = some_colour) {
     return [m, from](int x, int y) { return max(m * from(x, y), dvec3{0}); };
 }
 
-// From Rec. 2020: Rec. ITU-R BT.2087-0. From XYZ of D65: IEC 61966-2-1 gives four decimals (of a white rounded otherwise, hence
-// the tolerance). From ACEScg (D60, so adapted by Bradford) and ProPhoto (D50): as published with OpenColorIO and by Lindbloom.
+// From Rec. 2020: Rec. ITU-R BT.2087-0. From XYZ of D65: IEC 61966-2-1 gives four decimals (of a white rounded
+// otherwise, hence the tolerance). From ACEScg (D60, so adapted by Bradford) and ProPhoto (D50): as published with
+// OpenColorIO and by Lindbloom.
 const dmat3 from_2020 = rows({1.6605, -0.5876, -0.0728}, {-0.1246, 1.1329, -0.0083}, {-0.0182, -0.1006, 1.1187});
 const dmat3 from_xyz = rows({3.2406, -1.5372, -0.4986}, {-0.9689, 1.8758, 0.0415}, {0.0557, -0.2040, 1.0570});
-const dmat3 from_acescg = rows({1.70505, -0.62179, -0.08326}, {-0.13026, 1.14080, -0.01055}, {-0.02400, -0.12897, 1.15297});
-const dmat3 from_prophoto = rows({2.03437, -0.72763, -0.30673}, {-0.22883, 1.23175, -0.00292}, {-0.00856, -0.15327, 1.16183});
+const dmat3 from_acescg =
+    rows({1.70505, -0.62179, -0.08326}, {-0.13026, 1.14080, -0.01055}, {-0.02400, -0.12897, 1.15297});
+const dmat3 from_prophoto =
+    rows({2.03437, -0.72763, -0.30673}, {-0.22883, 1.23175, -0.00292}, {-0.00856, -0.15327, 1.16183});
 
 const bytes primaries_2020 = "PRIMARIES= 0.708 0.292 0.170 0.797 0.131 0.046 0.3127 0.3290\n";
 const bytes primaries_709 = "PRIMARIES=.640 .330 .300 .600 .150 .060 .3127 .3290\n";
@@ -196,9 +205,10 @@ void radiance_headers() {
     reads(with("noformat.hdr", ""), wide, high, some_colour);
     reads(with("format_spaces.hdr", "FORMAT = 32-bit_rle_rgbe \n"), wide, high, some_colour);
     reads(with("format_twice.hdr", rgbe + rgbe), wide, high, some_colour);
-    reads(with("comments.hdr", "# EXPOSURE=3\nSOFTWARE=x\nVIEW= -vta -vp 0 0 0\npfilt -e 3 EXPOSURE=3\n=\n =\n" + rgbe), wide, high,
-          some_colour);
-    reads(with("history.hdr", "rpict\n\tpfilt -1 -e 3\n\tEXPOSURE=3\n EXPOSURE=nan\n\tFORMAT=ascii\n" + rgbe), wide, high, some_colour);
+    reads(with("comments.hdr", "# EXPOSURE=3\nSOFTWARE=x\nVIEW= -vta -vp 0 0 0\npfilt -e 3 EXPOSURE=3\n=\n =\n" + rgbe),
+          wide, high, some_colour);
+    reads(with("history.hdr", "rpict\n\tpfilt -1 -e 3\n\tEXPOSURE=3\n EXPOSURE=nan\n\tFORMAT=ascii\n" + rgbe), wide,
+          high, some_colour);
     reads(with("long.hdr", "COMMENT=" + bytes(100000, 'x') + "\n" + rgbe), wide, high, some_colour);
     reads(with("gamma.hdr", rgbe + "GAMMA=2.2\n"), wide, high, some_colour, 0, "GAMMA ignored");
     for (const char* magic : {"#?RGBE", "#?rpict", "#?"}) {
@@ -212,10 +222,12 @@ void radiance_headers() {
 
     // the pixels were multiplied with these
     reads(with("exposure.hdr", rgbe + "EXPOSURE=2.0\n"), wide, high, scaled(dvec3{0.5}));
-    reads(with("exposures.hdr", "EXPOSURE= 4\nEXPOSURE=.5\nEXPOSURE =\t4e+0 \n" + rgbe), wide, high, scaled(dvec3{0.125}));
+    reads(with("exposures.hdr", "EXPOSURE= 4\nEXPOSURE=.5\nEXPOSURE =\t4e+0 \n" + rgbe), wide, high,
+          scaled(dvec3{0.125}));
     reads(with("small.hdr", "EXPOSURE=1.0e-03\n" + rgbe), wide, high, scaled(dvec3{1000}), 1e-7);
     reads(with("colorcorr.hdr", rgbe + "COLORCORR= 2 1 1\n"), wide, high, scaled({0.5, 1, 1}));
-    reads(with("corrections.hdr", "COLORCORR=2 4 .5\nEXPOSURE=2\nCOLORCORR=1 2 4\n" + rgbe), wide, high, scaled({0.25, 0.0625, 0.25}));
+    reads(with("corrections.hdr", "COLORCORR=2 4 .5\nEXPOSURE=2\nCOLORCORR=1 2 4\n" + rgbe), wide, high,
+          scaled({0.25, 0.0625, 0.25}));
 
     // colours: the float's rounding for exact ones, the last published digit for the others
     reads(with("p709.hdr", rgbe + primaries_709), wide, high, some_colour);
@@ -230,7 +242,8 @@ void radiance_headers() {
     reads(with("p_prophoto.hdr", "PRIMARIES=.7347 .2653 .1596 .8404 .0366 .0001 .3457 .3585\n" + rgbe), wide, high,
           converted(from_prophoto), 2e-5);
     const auto white = [](int, int) { return pixel(128, 128, 128, 129); };
-    write("p_white.hdr", "#?RADIANCE\nPRIMARIES=.640 .330 .290 .600 .150 .060 .333 .333\n" + shape + flat(picture(wide, high, white)));
+    write("p_white.hdr",
+          "#?RADIANCE\nPRIMARIES=.640 .330 .290 .600 .150 .060 .333 .333\n" + shape + flat(picture(wide, high, white)));
     reads(
         "p_white.hdr", wide, high, [](int, int) { return dvec3{1}; }, 1e-6);
     const auto green = [](int, int) { return pixel(0, 128, 0, 129); };
@@ -261,11 +274,12 @@ void radiance_headers() {
     refuses(with("colorcorr_two.hdr", "COLORCORR=1 2\n"), "COLORCORR must be 3 numbers");
     refuses(with("colorcorr_zero.hdr", "COLORCORR=1 0 2\n"), "COLORCORR must be above 0");
     refuses(with("p_seven.hdr", "PRIMARIES=.640 .330 .290 .600 .150 .060 .333\n"), "PRIMARIES must be 8 numbers");
-    for (const char* xy :
-         {"0 0 0 0 0 0 0 0", ".64 .33 .64 .33 .15 .06 .3127 .329", ".1 .1 .2 .2 .3 .3 .3127 .329", ".64 .33 .3 .6 .15 .06 .3127 0",
-          ".64 .33 .3 .6 .15 .06 .7 .29", ".64 .33 .3 .6 .15 .06 .64 .33", "640 330 300 600 150 60 312.7 329"})
+    for (const char* xy : {"0 0 0 0 0 0 0 0", ".64 .33 .64 .33 .15 .06 .3127 .329", ".1 .1 .2 .2 .3 .3 .3127 .329",
+                           ".64 .33 .3 .6 .15 .06 .3127 0", ".64 .33 .3 .6 .15 .06 .7 .29",
+                           ".64 .33 .3 .6 .15 .06 .64 .33", "640 330 300 600 150 60 312.7 329"})
         refuses(with("p_bad.hdr", "PRIMARIES=" + bytes(xy) + "\n"), "PRIMARIES are of no colour space");
-    refuses(with("control.hdr", "EXPOSURE=\x1b[31m\rno" + bytes(1000, 'x') + "\n"), "EXPOSURE must be a number, not \"?[31m?no");
+    refuses(with("control.hdr", "EXPOSURE=\x1b[31m\rno" + bytes(1000, 'x') + "\n"),
+            "EXPOSURE must be a number, not \"?[31m?no");
     refuses(with("endless.hdr", bytes(2000000, 'x')), "a line of its header is longer than 1 MiB");
     write("nomagic.hdr", rgbe + shape + new_runs(picture()));
     refuses("nomagic.hdr", "is neither Radiance HDR nor OpenEXR");
@@ -282,7 +296,8 @@ void radiance_orientations() {
                     lines.emplace_back();
                     for (int i = 0; i < length; ++i) {
                         const int along_x = columns ? j : i, along_y = columns ? i : j;
-                        const int right = sx == '+' ? along_x : wide - 1 - along_x, up = sy == '+' ? along_y : high - 1 - along_y;
+                        const int right = sx == '+' ? along_x : wide - 1 - along_x,
+                                  up = sy == '+' ? along_y : high - 1 - along_y;
                         lines.back().push_back(some_pixel(right, high - 1 - up));
                     }
                 }
@@ -293,10 +308,11 @@ void radiance_orientations() {
             }
     reads(radiance("spaces.hdr", "  -Y   8\t+X  16 ", flat(picture())), wide, high, some_colour);
     reads(radiance("narrow.hdr", "-Y8+X16", flat(picture())), wide, high, some_colour);
-    for (const char* resolution : {"", "-Y 8", "Y 8 X 16", "-Y 8 -Y 16", "+X 8 +X 16", "-Z 8 +X 16", "-Y 8 +X 16 3", "-Y a +X b",
-                                   "-Y 8.5 +X 17", "-Y 99999999999999999999 +X 1", "=Y 8 +X 16"})
+    for (const char* resolution : {"", "-Y 8", "Y 8 X 16", "-Y 8 -Y 16", "+X 8 +X 16", "-Z 8 +X 16", "-Y 8 +X 16 3",
+                                   "-Y a +X b", "-Y 8.5 +X 17", "-Y 99999999999999999999 +X 1", "=Y 8 +X 16"})
         refuses(radiance("resolution.hdr", resolution, flat(picture())), "the resolution must be like");
-    refuses(radiance("upright.hdr", "-Y 16 +X 8", flat(picture())), "8 x 16 pixels, and its width must be twice its height");
+    refuses(radiance("upright.hdr", "-Y 16 +X 8", flat(picture())),
+            "8 x 16 pixels, and its width must be twice its height");
     refuses(radiance("none.hdr", "-Y 0 +X 0", ""), "is empty: 0 x 0 pixels");
     refuses(radiance("less.hdr", "-X -16 -Y -8", ""), "is empty: -16 x -8 pixels");
     refuses(radiance("above.hdr", "-Y 4097 +X 8194", ""), "is too large: 8194 x 4097");
@@ -315,32 +331,39 @@ void radiance_scanlines() {
     reads(radiance("mixed_old.hdr", "-Y 8 +X 16", new_runs(first) + old_runs(rest)), wide, high, some_colour);
     for (const int w : {2, 4, 6})  // too narrow for new runs
         for (const auto& packed : {flat, old_runs})
-            reads(radiance("small.hdr", "-Y " + std::to_string(w / 2) + " +X " + std::to_string(w), packed(picture(w, w / 2))), w, w / 2,
-                  some_colour);
+            reads(radiance("small.hdr", "-Y " + std::to_string(w / 2) + " +X " + std::to_string(w),
+                           packed(picture(w, w / 2))),
+                  w, w / 2, some_colour);
     for (const int same : {257, 700, 1024}) {  // counts of 256, 699 and 1023 repeats take two bytes
         const auto at = [same](int x, int y) { return some_pixel(x < same ? 0 : 9, y % 8); };
         for (const auto& packed : {old_runs, new_runs})
             reads(radiance("wide.hdr", "-Y 512 +X 1024", packed(picture(1024, 512, at))), 1024, 512,
                   [same](int x, int y) { return some_colour(x < same ? 0 : 9, y % 8); });
     }
-    // a count of 0 does nothing; a pixel of exponent 0 is black whatever its mantissas; 255 mantissas and small exponents
+    // a count of 0 does nothing; a pixel of exponent 0 is black whatever its mantissas; 255 mantissas and small
+    // exponents
     const bytes bright = pixel(255, 128, 0, 190), faint = pixel(128, 0, 255, 40), black = pixel(7, 8, 9, 0);
     reads(radiance("ends.hdr", "-Y 1 +X 2", bright + pixel(1, 1, 1, 0) + faint), 2, 1, [](int x, int) {
         return x == 0 ? std::ldexp(1.0, 54) * dvec3{255, 128, 0} : std::ldexp(1.0, -96) * dvec3{128, 0, 255};
     });
-    reads(radiance("black.hdr", "-Y 1 +X 2", black + pixel(128, 128, 128, 129)), 2, 1, [](int x, int) { return dvec3{1.0 * x}; });
+    reads(radiance("black.hdr", "-Y 1 +X 2", black + pixel(128, 128, 128, 129)), 2, 1,
+          [](int x, int) { return dvec3{1.0 * x}; });
 
     const bytes grey = pixel(128, 128, 128, 129), start = pixel(2, 2, 0, 16);
     const auto repeats = [](int n) { return pixel(1, 1, 1, n); };
-    refuses(radiance("first.hdr", "-Y 8 +X 16", repeats(15) + flat(picture())), "is damaged: a scanline begins with a repeat count");
+    refuses(radiance("first.hdr", "-Y 8 +X 16", repeats(15) + flat(picture())),
+            "is damaged: a scanline begins with a repeat count");
     refuses(radiance("first_next.hdr", "-Y 8 +X 16", grey + repeats(15) + repeats(15)),
             "is damaged: a scanline begins with a repeat count");
-    refuses(radiance("past.hdr", "-Y 8 +X 16", grey + repeats(16) + flat(picture())), "is damaged: a run goes past the end");
-    refuses(
-        radiance("far.hdr", "-Y 8 +X 16", grey + repeats(0) + repeats(0) + repeats(0) + repeats(0) + repeats(0) + repeats(0) + repeats(1)),
-        "is damaged: a run goes past the end");
-    refuses(radiance("past_run.hdr", "-Y 8 +X 16", start + "\x91\x80" + flat(picture())), "is damaged: a run goes past the end");
-    refuses(radiance("past_piece.hdr", "-Y 8 +X 16", start + "\x11" + flat(picture())), "is damaged: a run goes past the end");
+    refuses(radiance("past.hdr", "-Y 8 +X 16", grey + repeats(16) + flat(picture())),
+            "is damaged: a run goes past the end");
+    refuses(radiance("far.hdr", "-Y 8 +X 16",
+                     grey + repeats(0) + repeats(0) + repeats(0) + repeats(0) + repeats(0) + repeats(0) + repeats(1)),
+            "is damaged: a run goes past the end");
+    refuses(radiance("past_run.hdr", "-Y 8 +X 16", start + "\x91\x80" + flat(picture())),
+            "is damaged: a run goes past the end");
+    refuses(radiance("past_piece.hdr", "-Y 8 +X 16", start + "\x11" + flat(picture())),
+            "is damaged: a run goes past the end");
     refuses(radiance("length.hdr", "-Y 8 +X 16", pixel(2, 2, 0, 15) + flat(picture())),
             "is damaged: a scanline's length is not that of the picture");
     refuses(radiance("zeros.hdr", "-Y 8 +X 16", start + bytes(5000, '\0')), "is truncated");
@@ -358,7 +381,8 @@ void radiance_scanlines() {
     }
 }
 
-// ---- OpenEXR -----------------------------------------------------------------------------------------------------------------
+// ---- OpenEXR
+// -----------------------------------------------------------------------------------------------------------------
 
 struct channel {
     std::string name;
@@ -422,13 +446,14 @@ std::string exr(const std::string& file, const std::vector<part>& parts) {
                     if (type == Imf::FLOAT) *reinterpret_cast<float*>(to) = static_cast<float>(value);
                     if (type == Imf::UINT) *reinterpret_cast<unsigned*>(to) = static_cast<unsigned>(value);
                 }
-            buffer.insert(p.channels[c].name,
-                          Imf::Slice::Make(type, bytes_of[c].data(), p.data, size, size * static_cast<std::size_t>(width)));
+            buffer.insert(p.channels[c].name, Imf::Slice::Make(type, bytes_of[c].data(), p.data, size,
+                                                               size * static_cast<std::size_t>(width)));
         }
         if (p.tiled) {
             Imf::TiledOutputPart tiles{out, static_cast<int>(k)};
             tiles.setFrameBuffer(buffer);
-            for (int y = 0; y < std::min(tiles.numYTiles(), p.lines); ++y) tiles.writeTiles(0, tiles.numXTiles() - 1, y, y);
+            for (int y = 0; y < std::min(tiles.numYTiles(), p.lines); ++y)
+                tiles.writeTiles(0, tiles.numXTiles() - 1, y, y);
         } else {
             Imf::OutputPart lines{out, static_cast<int>(k)};
             lines.setFrameBuffer(buffer);
@@ -454,12 +479,14 @@ void exr_windows() {
     const box all{{0, 0}, {wide - 1, high - 1}};
     reads(exr("whole.exr", {.channels = rgb()}), wide, high, some_colour);
     for (const bool tiled : {false, true}) {
-        for (const box& data : {box{{3, 2}, {9, 5}}, box{{0, 0}, {7, 3}}, box{{15, 7}, {15, 7}}, box{{-4, -3}, {20, 12}},
-                                box{{-5, 4}, {3, 20}}, box{{-1, 0}, {16, 7}}, box{{8, -9}, {30, 1}}, box{{0, -1}, {15, 6}}})
+        for (const box& data :
+             {box{{3, 2}, {9, 5}}, box{{0, 0}, {7, 3}}, box{{15, 7}, {15, 7}}, box{{-4, -3}, {20, 12}},
+              box{{-5, 4}, {3, 20}}, box{{-1, 0}, {16, 7}}, box{{8, -9}, {30, 1}}, box{{0, -1}, {15, 6}}})
             reads(exr("window.exr", {.channels = rgb(), .data = data, .tiled = tiled}), wide, high, within(data));
         // a display window from elsewhere than 0; values are of the place in it
         const box display{{-8, -20}, {7, -13}}, data{{-10, -18}, {2, -15}};
-        reads(exr("origin.exr", {.channels = rgb(), .display = display, .data = display, .tiled = tiled}), wide, high, some_colour);
+        reads(exr("origin.exr", {.channels = rgb(), .display = display, .data = display, .tiled = tiled}), wide, high,
+              some_colour);
         reads(exr("origin_crop.exr", {.channels = rgb(), .display = display, .data = data, .tiled = tiled}), wide, high,
               within({{-2, 2}, {10, 5}}));
         refuses(exr("outside.exr", {.channels = rgb(), .data = {{16, 0}, {31, 7}}, .tiled = tiled}), "holds no light");
@@ -474,7 +501,8 @@ void exr_windows() {
 
 void exr_types() {
     reads(exr("half.exr", {.channels = rgb(Imf::HALF)}), wide, high, some_colour, half_rounding);
-    reads(exr("uint.exr", {.channels = rgb(Imf::UINT)}), wide, high, [](int x, int y) { return floor(some_colour(x, y)); });
+    reads(exr("uint.exr", {.channels = rgb(Imf::UINT)}), wide, high,
+          [](int x, int y) { return floor(some_colour(x, y)); });
     auto mixed = rgb();
     mixed[0].type = Imf::HALF;
     mixed[1].type = Imf::UINT;
@@ -491,38 +519,48 @@ void exr_types() {
               lossless == Imf::DWAA_COMPRESSION ? 0.02 : 0);
     for (const auto lossy : {Imf::PXR24_COMPRESSION, Imf::B44A_COMPRESSION, Imf::DWAB_COMPRESSION})
         reads(exr("lossy.exr", {.channels = rgb(Imf::HALF), .compression = lossy}), wide, high, some_colour, 0.05);
-    reads(exr("upwards.exr", {.channels = rgb(), .change = [](Imf::Header& h) { h.lineOrder() = Imf::DECREASING_Y; }}), wide, high,
-          some_colour);
+    reads(exr("upwards.exr", {.channels = rgb(), .change = [](Imf::Header& h) { h.lineOrder() = Imf::DECREASING_Y; }}),
+          wide, high, some_colour);
     reads(exr("tiled.exr", {.channels = rgb(), .tiled = true}), wide, high, some_colour);
-    reads(exr("aspect.exr", {.channels = rgb(), .change = [](Imf::Header& h) { h.pixelAspectRatio() = 2; }}), wide, high, some_colour);
-    reads(exr("luminance.exr", {.channels = rgb(), .change = [](Imf::Header& h) { addWhiteLuminance(h, 100); }}), wide, high, some_colour);
-    reads(exr("alpha.exr", {.channels = together(rgb(), {{"A", Imf::HALF, [](int, int) { return 0.5; }}})}), wide, high, some_colour);
+    reads(exr("aspect.exr", {.channels = rgb(), .change = [](Imf::Header& h) { h.pixelAspectRatio() = 2; }}), wide,
+          high, some_colour);
+    reads(exr("luminance.exr", {.channels = rgb(), .change = [](Imf::Header& h) { addWhiteLuminance(h, 100); }}), wide,
+          high, some_colour);
+    reads(exr("alpha.exr", {.channels = together(rgb(), {{"A", Imf::HALF, [](int, int) { return 0.5; }}})}), wide, high,
+          some_colour);
 }
 
 void exr_colours() {
-    reads(exr("c709.exr", {.channels = rgb(), .change = chromaticities({.64f, .33f}, {.30f, .60f}, {.15f, .06f}, {.3127f, .3290f})}), wide,
-          high, some_colour);
-    // what Photoshop writes for sRGB
-    reads(exr("c709_d50.exr",
-              {.channels = rgb(),
-               .change = chromaticities({.6484474f, .3308766f}, {.3211871f, .5978943f}, {.1559014f, .0660563f}, {.3457084f, .3585413f})}),
+    reads(exr("c709.exr", {.channels = rgb(),
+                           .change = chromaticities({.64f, .33f}, {.30f, .60f}, {.15f, .06f}, {.3127f, .3290f})}),
           wide, high, some_colour);
-    reads(exr("c2020.exr", {.channels = rgb(), .change = chromaticities({.708f, .292f}, {.170f, .797f}, {.131f, .046f}, {.3127f, .3290f})}),
-          wide, high, converted(from_2020), 2e-4);
-    reads(exr("acescg.exr", {.channels = rgb(),
-                             .data = {{2, 1}, {20, 4}},
-                             .change = chromaticities({.713f, .293f}, {.165f, .830f}, {.128f, .044f}, {.32168f, .33767f})}),
+    // what Photoshop writes for sRGB
+    reads(exr("c709_d50.exr", {.channels = rgb(),
+                               .change = chromaticities({.6484474f, .3308766f}, {.3211871f, .5978943f},
+                                                        {.1559014f, .0660563f}, {.3457084f, .3585413f})}),
+          wide, high, some_colour);
+    reads(
+        exr("c2020.exr", {.channels = rgb(),
+                          .change = chromaticities({.708f, .292f}, {.170f, .797f}, {.131f, .046f}, {.3127f, .3290f})}),
+        wide, high, converted(from_2020), 2e-4);
+    reads(exr("acescg.exr",
+              {.channels = rgb(),
+               .data = {{2, 1}, {20, 4}},
+               .change = chromaticities({.713f, .293f}, {.165f, .830f}, {.128f, .044f}, {.32168f, .33767f})}),
           wide, high, converted(from_acescg, within({{2, 1}, {20, 4}})), 2e-5);
-    // the axes of XYZ as primaries, of which one has y = 0, and D65's XYZ as white, so that R, G, B are X, Y, Z over those of D65
+    // the axes of XYZ as primaries, of which one has y = 0, and D65's XYZ as white, so that R, G, B are X, Y, Z over
+    // those of D65
     const dvec3 d65 = dvec3{0.3127, 0.3290, 1 - 0.3127 - 0.3290} / 0.3290;
-    reads(exr("xyz.exr", {.channels = rgb(), .change = chromaticities({1, 0}, {0, 1}, {0, 0}, {.3127f, .3290f})}), wide, high,
-          converted(from_xyz, [d65](int x, int y) { return some_colour(x, y) * d65; }), 1e-3);
-    refuses(exr("c_line.exr", {.channels = rgb(), .change = chromaticities({.1f, .1f}, {.2f, .2f}, {.3f, .3f}, {.3127f, .3290f})}),
+    reads(exr("xyz.exr", {.channels = rgb(), .change = chromaticities({1, 0}, {0, 1}, {0, 0}, {.3127f, .3290f})}), wide,
+          high, converted(from_xyz, [d65](int x, int y) { return some_colour(x, y) * d65; }), 1e-3);
+    refuses(exr("c_line.exr",
+                {.channels = rgb(), .change = chromaticities({.1f, .1f}, {.2f, .2f}, {.3f, .3f}, {.3127f, .3290f})}),
             "chromaticities are of no colour space");
     refuses(exr("c_zero.exr", {.channels = rgb(), .change = chromaticities({0, 0}, {0, 0}, {0, 0}, {0, 0})}),
             "chromaticities are of no colour space");
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    refuses(exr("c_nan.exr", {.channels = rgb(), .change = chromaticities({nan, .33f}, {.30f, .60f}, {.15f, .06f}, {.3127f, .3290f})}),
+    refuses(exr("c_nan.exr", {.channels = rgb(),
+                              .change = chromaticities({nan, .33f}, {.30f, .60f}, {.15f, .06f}, {.3127f, .3290f})}),
             "chromaticities must be finite");
     const auto to_2020 = chromaticities({.708f, .292f}, {.170f, .797f}, {.131f, .046f}, {.3127f, .3290f});
 
@@ -531,10 +569,13 @@ void exr_colours() {
     for (const auto type : {Imf::FLOAT, Imf::HALF}) {
         const double rounding = type == Imf::HALF ? half_rounding : 0;
         reads(exr("y.exr", {.channels = {{"Y", type, luminance}}}), wide, high, grey, rounding);
-        reads(exr("ya.exr", {.channels = {{"Y", type, luminance}, {"A", type, luminance}}, .tiled = true}), wide, high, grey, rounding);
-        reads(exr("y_2020.exr", {.channels = {{"Y", type, luminance}}, .change = to_2020}), wide, high, grey, rounding + 1e-6);
+        reads(exr("ya.exr", {.channels = {{"Y", type, luminance}, {"A", type, luminance}}, .tiled = true}), wide, high,
+              grey, rounding);
+        reads(exr("y_2020.exr", {.channels = {{"Y", type, luminance}}, .change = to_2020}), wide, high, grey,
+              rounding + 1e-6);
     }
-    // luminance and chroma as the library writes them: chroma at every other pixel (so one colour is taken), rounded to 5 bits
+    // luminance and chroma as the library writes them: chroma at every other pixel (so one colour is taken), rounded to
+    // 5 bits
     for (const box& data : {box{{0, 0}, {wide - 1, high - 1}}, box{{4, 2}, {13, 5}}, box{{-6, -4}, {9, 3}}}) {
         const Imf::Header header{{{0, 0}, {wide - 1, high - 1}}, data};
         const int width = data.max.x - data.min.x + 1, height = data.max.y - data.min.y + 1;
@@ -544,11 +585,14 @@ void exr_colours() {
             out.setFrameBuffer(pixels.data() - data.min.x - width * data.min.y, 1, static_cast<std::size_t>(width));
             out.writePixels(height);
         }
-        const colour expected = [data](int x, int y) { return data.intersects(Imath::V2i{x, y}) ? dvec3{0.5, 0.25, 0.75} : dvec3{0}; };
+        const colour expected = [data](int x, int y) {
+            return data.intersects(Imath::V2i{x, y}) ? dvec3{0.5, 0.25, 0.75} : dvec3{0};
+        };
         reads("yc.exr", wide, high, expected, 0x1p-6);
     }
     refuses(exr("yc_parts.exr",
-                {{.channels = {{"Y", Imf::HALF, luminance}, {"RY", Imf::HALF, luminance}, {"BY", Imf::HALF, luminance}}, .name = "a"},
+                {{.channels = {{"Y", Imf::HALF, luminance}, {"RY", Imf::HALF, luminance}, {"BY", Imf::HALF, luminance}},
+                  .name = "a"},
                  {.channels = {{"Z", Imf::HALF, luminance}}, .name = "b"}}),
             "several parts, and luminance and chroma");
 }
@@ -556,11 +600,13 @@ void exr_colours() {
 void exr_layers() {
     const auto one = [](int, int) { return 1.0; };
     const channel depth{"Z", Imf::FLOAT, one};
-    reads(exr("layer.exr", {.channels = rgb(Imf::FLOAT, "beauty.")}), wide, high, some_colour, 0, "layer beauty is read");
-    reads(exr("nested.exr", {.channels = together(rgb(Imf::HALF, "View Layer.Combined."), {{"View Layer.Depth.Z", Imf::FLOAT, one}})}),
+    reads(exr("layer.exr", {.channels = rgb(Imf::FLOAT, "beauty.")}), wide, high, some_colour, 0,
+          "layer beauty is read");
+    reads(exr("nested.exr", {.channels = together(rgb(Imf::HALF, "View Layer.Combined."),
+                                                  {{"View Layer.Depth.Z", Imf::FLOAT, one}})}),
           wide, high, some_colour, half_rounding, "layer View Layer.Combined is read");
-    reads(exr("top.exr", {.channels = together(rgb(), together(rgb(Imf::FLOAT, "a.", 2), rgb(Imf::FLOAT, "z.", 3)))}), wide, high,
-          some_colour);
+    reads(exr("top.exr", {.channels = together(rgb(), together(rgb(Imf::FLOAT, "a.", 2), rgb(Imf::FLOAT, "z.", 3)))}),
+          wide, high, some_colour);
     reads(
         exr("layer_y.exr", {.channels = {{"lum.Y", Imf::FLOAT, one}, {"Z", Imf::FLOAT, one}}}), wide, high,
         [](int, int) { return dvec3{1}; }, 0, "layer lum is read");
@@ -574,15 +620,18 @@ void exr_layers() {
     refuses(exr("rg.exr", {.channels = no_blue}), "has no channels R, G and B, and no Y: only G, R");
     refuses(exr("line.exr", {.channels = {{"a\nb", Imf::FLOAT, one}}}), "only a?b");
 
-    reads(exr("second.exr", {{.channels = {depth}, .name = "depth"}, {.channels = rgb(), .name = "beauty"}}), wide, high, some_colour);
-    reads(exr("second_tiled.exr",
-              {{.channels = {depth}, .name = "depth"}, {.channels = rgb(), .data = {{3, 2}, {9, 5}}, .name = "beauty", .tiled = true}}),
+    reads(exr("second.exr", {{.channels = {depth}, .name = "depth"}, {.channels = rgb(), .name = "beauty"}}), wide,
+          high, some_colour);
+    reads(exr("second_tiled.exr", {{.channels = {depth}, .name = "depth"},
+                                   {.channels = rgb(), .data = {{3, 2}, {9, 5}}, .name = "beauty", .tiled = true}}),
           wide, high, within({{3, 2}, {9, 5}}));
-    reads(exr("both.exr", {{.channels = rgb(), .name = "left"}, {.channels = rgb(Imf::FLOAT, "", 2), .name = "right"}}), wide, high,
-          some_colour, 0, "the first is read, \"left\"");
-    reads(exr("layers.exr", {{.channels = rgb(Imf::FLOAT, "a.", 2), .name = "first"}, {.channels = rgb(), .name = "second"}}), wide, high,
-          some_colour);
-    refuses(exr("parts.exr", {{.channels = rgb(Imf::FLOAT, "a."), .name = "first"}, {.channels = rgb(Imf::FLOAT, "b."), .name = "second"}}),
+    reads(exr("both.exr", {{.channels = rgb(), .name = "left"}, {.channels = rgb(Imf::FLOAT, "", 2), .name = "right"}}),
+          wide, high, some_colour, 0, "the first is read, \"left\"");
+    reads(exr("layers.exr",
+              {{.channels = rgb(Imf::FLOAT, "a.", 2), .name = "first"}, {.channels = rgb(), .name = "second"}}),
+          wide, high, some_colour);
+    refuses(exr("parts.exr", {{.channels = rgb(Imf::FLOAT, "a."), .name = "first"},
+                              {.channels = rgb(Imf::FLOAT, "b."), .name = "second"}}),
             "a (part first), b (part second)");
     {
         Imf::Header header{wide, high};
@@ -594,13 +643,14 @@ void exr_layers() {
     refuses("deep.exr", "is a deep image, and these are not read");
     {
         Imf::Header header{wide, high};
-        for (const char* name : {"R", "G", "B"}) header.channels().insert(name, Imf::Channel{Imf::HALF, name[0] == 'B' ? 2 : 1, 1});
+        for (const char* name : {"R", "G", "B"})
+            header.channels().insert(name, Imf::Channel{Imf::HALF, name[0] == 'B' ? 2 : 1, 1});
         std::vector<half> pixels(wide * high, half{1.0f});
         Imf::OutputFile out{"sampled.exr", header};
         Imf::FrameBuffer buffer;
         for (const char* name : {"R", "G", "B"})
-            buffer.insert(name, Imf::Slice{Imf::HALF, reinterpret_cast<char*>(pixels.data()), sizeof(half), sizeof(half) * wide,
-                                           name[0] == 'B' ? 2 : 1, 1});
+            buffer.insert(name, Imf::Slice{Imf::HALF, reinterpret_cast<char*>(pixels.data()), sizeof(half),
+                                           sizeof(half) * wide, name[0] == 'B' ? 2 : 1, 1});
         out.setFrameBuffer(buffer);
         out.writePixels(high);
     }
@@ -614,11 +664,15 @@ void exr_bad_pixels() {
         const char* says;
     };
     for (const auto type : {Imf::FLOAT, Imf::HALF})
-        for (const auto& [value, says] : {bad{nan, "nan"}, bad{-nan, "nan"}, bad{inf, "inf"}, bad{-inf, "-inf"}, bad{-1, "-1"}})
+        for (const auto& [value, says] :
+             {bad{nan, "nan"}, bad{-nan, "nan"}, bad{inf, "inf"}, bad{-inf, "-inf"}, bad{-1, "-1"}})
             for (int i = 0; i < 3; ++i) {
                 auto channels = rgb(type);
-                channels[static_cast<std::size_t>(i)].at = [value = value](int x, int y) { return x == 5 && y == 6 ? value : 0.5; };
-                refuses(exr("bad.exr", {.channels = channels}), std::string("pixel (5, 6) holds ") + (says[0] == 'n' ? "" : says));
+                channels[static_cast<std::size_t>(i)].at = [value = value](int x, int y) {
+                    return x == 5 && y == 6 ? value : 0.5;
+                };
+                refuses(exr("bad.exr", {.channels = channels}),
+                        std::string("pixel (5, 6) holds ") + (says[0] == 'n' ? "" : says));
             }
     auto bright = rgb();
     bright[2].at = [](int, int) { return 2e20; };
@@ -636,7 +690,8 @@ void exr_bad_pixels() {
 
 void exr_cut() {
     for (const bool tiled : {false, true}) {
-        refuses(exr("missing.exr", {.channels = rgb(), .tiled = tiled, .lines = 1, .compression = Imf::NO_COMPRESSION}), "is truncated");
+        refuses(exr("missing.exr", {.channels = rgb(), .tiled = tiled, .lines = 1, .compression = Imf::NO_COMPRESSION}),
+                "is truncated");
         exr("to_cut.exr", {.channels = rgb(), .tiled = tiled});
         std::ifstream in{"to_cut.exr", std::ios::binary};
         const bytes whole{std::istreambuf_iterator<char>{in}, {}};
@@ -653,8 +708,8 @@ int main() {
     std::string folder = (fs::temp_directory_path() / "test_environments.XXXXXX").string();
     if (!mkdtemp(folder.data())) return std::perror(folder.c_str()), 1;
     fs::current_path(folder);
-    for (const auto test : {radiance_headers, radiance_orientations, radiance_scanlines, exr_windows, exr_types, exr_colours, exr_layers,
-                            exr_bad_pixels, exr_cut})
+    for (const auto test : {radiance_headers, radiance_orientations, radiance_scanlines, exr_windows, exr_types,
+                            exr_colours, exr_layers, exr_bad_pixels, exr_cut})
         test();
     fs::current_path("/");
     fs::remove_all(folder);

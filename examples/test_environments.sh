@@ -3,7 +3,7 @@
 # a NaN has to be found all the same.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-source "$root/tests/setup.sh"
+source "$root/scripts/setup.sh"
 need cmake ninja-build g++ libglm-dev libopenexr-dev libstb-dev libcli11-dev libtbb-dev fonts-dejavu-core
 cd "$root"
 tests=(test_environments test_environments_fast_math)

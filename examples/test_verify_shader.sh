@@ -3,7 +3,7 @@
 set -uo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/verify_shader
 run=$here/run.sh
-source "$here/../../tests/setup.sh"
+source "$here/../../scripts/setup.sh"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work"/{tmp,log} && export TMPDIR=$work/tmp # which has to be empty after each run
@@ -335,7 +335,6 @@ printf '%s\0' "$f" "$request" >zeros.glsl && refused zeros.glsl "is not a text"
 
 # ---- The shaders are GLSL.
 
-(need glslang-tools) >/dev/null 2>&1
 if command -v glslangValidator >/dev/null; then
     for shader in "$here"/{right,tutorial_mistakes,errata}.glsl; do
         { cat "$shader" && echo 'void main() {}'; } >wrapped.frag

@@ -1,10 +1,11 @@
-// Random BRDFs of every model of the library, and their albedo by an adaptive mesh, which shares nothing with lobe's quadrature.
+// Random BRDFs of every model of the library, and their albedo by an adaptive mesh, which shares nothing with lobe's
+// quadrature.
 #pragma once
 
 #include "support.hpp"
 
 #include <lobe/lobe.hpp>
-#include <lobe/testkit/cubature.hpp>
+#include <lobe/testkit/measure/mesh.hpp>
 
 #include <array>
 #include <functional>
@@ -29,8 +30,8 @@ struct drawn {
     lobe::schlick<T> gloss() { return lobe::schlick<T>(between(0, 1)); }
 };
 
-/// One lobe of any BRDF, its type erased: one instantiation of a quadrature serves them all. Three wavelengths, equal ones for a
-/// scalar spectrum.
+/// One lobe of any BRDF, its type erased: one instantiation of a quadrature serves them all. Three wavelengths, equal
+/// ones for a scalar spectrum.
 template <class T>
 struct any_lobe {
     std::function<lobe::vec3<T>(const lobe::vec3<T>&, const lobe::vec3<T>&)> f;
@@ -56,7 +57,9 @@ template <class B, class T = typename B::scalar>
 any_brdf<T> erased(const B& brdf) {
     any_brdf<T> all{{}, B::isotropic};
     lobe::detail::for_each_lobe(brdf, [&](const auto& part) {
-        const auto f_cos = [part](const lobe::vec3<T>& v, const lobe::vec3<T>& l) { return lobe::vec3<T>(part.f_cos(v, l)); };
+        const auto f_cos = [part](const lobe::vec3<T>& v, const lobe::vec3<T>& l) {
+            return lobe::vec3<T>(part.f_cos(v, l));
+        };
         all.lobes.push_back({f_cos, part.width(), {}});
         lobe::detail::for_each_crease(part, [&](const T& c) { all.lobes.back().creases.push_back(c); });
     });
@@ -84,7 +87,7 @@ void every_family(const Visit& visitor) {
     visit("beckmann, two widths", [=](R r) { return microfacet{beckmann{r.widths()}, sep, mirror}; });
     visit("beckmann_walter", [=](R r) { return microfacet{beckmann_walter{r.width()}, sep, r.gloss()}; });
     visit("blinn_phong", [=](R r) { return microfacet{blinn_phong{r.width()}, hc, mirror}; });
-    visit("phong", [=](R r) { return microfacet{phong{alpha<T>(r.log(0.01, 0.7))}, hc, mirror}; });
+    visit("phong", [=](R r) { return microfacet{tabulated{phong{alpha<T>(r.log(0.01, 0.7))}}, hc, mirror}; });
     visit("student_t", [=](R r) {
         const auto a = r.width();
         return microfacet{student_t{a, r.between(1.6, 10)}, hc, mirror};
@@ -99,23 +102,23 @@ void every_family(const Visit& visitor) {
     });
     visit("gtr", [=](R r) {
         const auto a = r.width();
-        return microfacet{gtr{a, r.between(1, 3)}, hc, mirror};
+        return microfacet{tabulated{gtr{a, r.between(1, 3)}}, hc, mirror};
     });
     visit("exponential_power", [=](R r) {
         const auto a = r.width();
-        return microfacet{exponential_power{a, r.between(0.3, 4)}, hc, mirror};
+        return microfacet{tabulated{exponential_power{a, r.between(0.3, 4)}}, hc, mirror};
     });
     visit("exponential_power, two widths", [=](R r) {
         const auto a = r.widths();
-        return microfacet{exponential_power{a, r.between(0.3, 4)}, hc, mirror};
+        return microfacet{tabulated{exponential_power{a, r.between(0.3, 4)}}, hc, mirror};
     });
     visit("abc", [=](R r) {
         const auto a = r.width();
-        return microfacet{abc{a, r.between(0.2, 3)}, hc, mirror};
+        return microfacet{tabulated{abc{a, r.between(0.2, 3)}}, hc, mirror};
     });
     visit("sgd", [=](R r) {
         const auto a = r.width();
-        return microfacet{sgd{a, r.between(0.3, 2)}, hc, mirror};
+        return microfacet{tabulated{sgd{a, r.between(0.3, 2)}}, hc, mirror};
     });
     visit("mixture", [=](R r) {
         const auto a = r.width(), b = r.width();
@@ -128,8 +131,12 @@ void every_family(const Visit& visitor) {
     kind = "masking";
     visit("ggx, v_cavity", [=](R r) { return microfacet{ggx{r.width()}, v_cavity{}, mirror}; });
     visit("beckmann, two widths, v_cavity", [=](R r) { return microfacet{beckmann{r.widths()}, v_cavity{}, mirror}; });
-    visit("ggx, direction_correlated", [=](R r) { return microfacet{ggx{r.width()}, smith_direction_correlated{}, mirror}; });
-    visit("ggx, two widths, direction_correlated", [=](R r) { return microfacet{ggx{r.widths()}, smith_direction_correlated{}, mirror}; });
+    visit("ggx, direction_correlated", [=](R r) {
+        return microfacet{ggx{r.width()}, smith_direction_correlated{}, mirror};
+    });
+    visit("ggx, two widths, direction_correlated", [=](R r) {
+        return microfacet{ggx{r.widths()}, smith_direction_correlated{}, mirror};
+    });
     visit("ggx, hammon", [=](R r) { return microfacet{ggx{r.width()}, smith_hammon{}, r.gloss()}; });
     visit("ggx, schlick_ggx", [=](R r) {
         const auto a = r.width();
@@ -216,7 +223,8 @@ void every_family(const Visit& visitor) {
     });
     visit("two lobes", [=](R r) {
         const auto a = r.width(), b = r.width();
-        return sum{weighted{T(0.25f), microfacet{ggx{a}, hc, mirror}}, weighted{T(0.75f), microfacet{beckmann{b}, sep, mirror}}};
+        return sum{weighted{T(0.25f), microfacet{ggx{a}, hc, mirror}},
+                   weighted{T(0.75f), microfacet{beckmann{b}, sep, mirror}}};
     });
 }
 
@@ -247,10 +255,13 @@ void add_by_mesh(mesh_albedo& total, const Density& density, int cells, double t
 }
 
 /// int f_cos dl by an adaptive mesh: other coordinates and another rule than `hemisphere_integral`'s.
-/// Without creases: the azimuth and the slope of the half vector over `width`, r = tan(chi), chi = chi_max x^2 (3 - 2 x).
-/// With them: c = v.m and the azimuth psi of m around v, so that a crease is a line of the mesh. c from 1 to where l leaves the hemisphere,
-/// cut at every crease and at v.z, where the peak is; psi up to where l meets the horizon, which is at v.n + l.n = 2 c (n.m).
-inline mesh_albedo albedo_by_mesh(const any_brdf<double>& brdf, const lobe::vec3<double>& v, double tolerance, long evaluations) {
+/// Without creases: the azimuth and the slope of the half vector over `width`, r = tan(chi), chi = chi_max x^2 (3 - 2
+/// x).
+/// With them: c = v.m and the azimuth psi of m around v, so that a crease is a line of the mesh. c from 1 to where l
+/// leaves the hemisphere, cut at every crease and at v.z, where the peak is; psi up to where l meets the horizon, which
+/// is at v.n + l.n = 2 c (n.m).
+inline mesh_albedo albedo_by_mesh(const any_brdf<double>& brdf, const lobe::vec3<double>& v, double tolerance,
+                                  long evaluations) {
     using lobe::vec3;
     using std::sqrt;
     mesh_albedo total;
@@ -272,7 +283,8 @@ inline mesh_albedo albedo_by_mesh(const any_brdf<double>& brdf, const lobe::vec3
             add_by_mesh(total, density, 32, tolerance, evaluations);
             continue;
         }
-        const vec3<double> up{-v.x * v.z / sine_v, -v.y * v.z / sine_v, sine_v}, side{-v.y / sine_v, v.x / sine_v, 0};  // with v, axes
+        // with v, axes
+        const vec3<double> up{-v.x * v.z / sine_v, -v.y * v.z / sine_v, sine_v}, side{-v.y / sine_v, v.x / sine_v, 0};
         std::vector<double> cuts{sqrt((1 - sine_v) / 2), sqrt((1 + sine_v) / 2), v.z, 1};
         for (const double c : part.creases)
             if (c > cuts[0]) cuts.push_back(c);
@@ -281,7 +293,8 @@ inline mesh_albedo albedo_by_mesh(const any_brdf<double>& brdf, const lobe::vec3
             for (const double sign : {1.0, -1.0}) {
                 if (sign < 0 && brdf.isotropic) continue;
                 const auto density = [&](double x, double y) {
-                    const double c = cuts[k] + (cuts[k + 1] - cuts[k]) * x * x * (3 - 2 * x), s = sqrt((1 - c) * (1 + c));
+                    const double c = cuts[k] + (cuts[k + 1] - cuts[k]) * x * x * (3 - 2 * x),
+                                 s = sqrt((1 - c) * (1 + c));
                     const double limit = (v.z / (2 * c) - v.z * c) / (sine_v * s);  // of cos(psi)
                     const double psi_max = limit < -1 ? 3.141592653589793 : limit < 1 ? std::acos(limit) : 0;
                     const double psi = psi_max * y * y * (3 - 2 * y);

@@ -30,7 +30,8 @@ TEST_CASE("call sites 1 to 5 compile as written, in float", "[call_sites]") {
 
     // 1. evaluate, in any renderer
     const auto a = alpha<float>::from_roughness(rough, 1e-4f);
-    const auto brdf = lobe::microfacet{lobe::ggx{a}, lobe::smith_correlated{}, lobe::schlick{vec3{1.00f, 0.71f, 0.29f}}};
+    const auto brdf =
+        lobe::microfacet{lobe::ggx{a}, lobe::smith_correlated{}, lobe::schlick{vec3{1.00f, 0.71f, 0.29f}}};
     const lobe::frame at{n};  // n: world-space unit normal
     const vec3 v = at.to_local(V), l = at.to_local(L);
     Lo += radiance * brdf.f_cos(v, l);
@@ -53,7 +54,8 @@ TEST_CASE("call sites 1 to 5 compile as written, in float", "[call_sites]") {
 
     // 3. split-sum terms: exact, from a table, or from a fit -- same call
     const auto table = lobe::bake_dfg<float>(lobe::smith_correlated{}, {.size = 32});  // its type knows its masking
-    const lobe::dfg_terms<float> t = table(v.z, a);                                    // t.scale, t.bias: F0*scale + F90*bias
+    // t.scale, t.bias: F0*scale + F90*bias
+    const lobe::dfg_terms<float> t = table(v.z, a);
     const lobe::dfg_terms<float> x = lobe::dfg_exact<float>(lobe::smith_correlated{}, v.z, a);
     CHECK(std::abs(t.scale - x.scale) < 3e-3f);
 
@@ -63,10 +65,13 @@ TEST_CASE("call sites 1 to 5 compile as written, in float", "[call_sites]") {
     CHECK(Lo.x == Catch::Approx(1));
 
     // 5. energy of any composition, by quadrature
-    const lobe::microfacet mirror{lobe::ggx{alpha{0.3}}, lobe::smith_correlated{}, lobe::perfect_reflector{}};  // F = 1, double
+    // F = 1, double
+    const lobe::microfacet mirror{lobe::ggx{alpha{0.3}}, lobe::smith_correlated{}, lobe::perfect_reflector{}};
     const double mu = 0.5;
-    double E = lobe::directional_albedo(mirror, mu), Ebar = lobe::average_albedo(mirror);  // by cosine: isotropic types only
-    const auto estimate = lobe::directional_albedo(brdf, v, {.tolerance = 1e-6});          // by direction: any type; value and error
+    // by cosine: isotropic types only
+    double E = lobe::directional_albedo(mirror, mu), Ebar = lobe::average_albedo(mirror);
+    // by direction: any type; value and error
+    const auto estimate = lobe::directional_albedo(brdf, v, {.tolerance = 1e-6});
     CHECK(E < Ebar);
     CHECK(estimate.value.x > estimate.value.z);
     CHECK(estimate.error < 1e-5f);
@@ -92,6 +97,7 @@ TEST_CASE("the same call sites in double", "[call_sites]") {
     const auto w = lobe::fdez_aguera{}(t, f0, albedo);
     CHECK((w.radiance + w.irradiance).x == Catch::Approx(1));
     CHECK(lobe::directional_albedo(brdf, v, {.tolerance = 1e-6}).error <= 1e-6);
-    const auto aniso = lobe::microfacet{lobe::ggx{lobe::alpha_xy{0.1, 0.5}}, lobe::smith_correlated{}, lobe::schlick{0.04}};
+    const auto aniso =
+        lobe::microfacet{lobe::ggx{lobe::alpha_xy{0.1, 0.5}}, lobe::smith_correlated{}, lobe::schlick{0.04}};
     CHECK(lobe::directional_albedo(aniso, v).value > 0);
 }

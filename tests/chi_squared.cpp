@@ -27,11 +27,12 @@ vec3<double> at(double mu, double phi = 0.9) {
     return {sine * std::cos(phi), sine * std::sin(phi), mu};
 }
 
-/// Which directions a sampler can return, as polar slopes r (wx cos phi, wy sin phi): along each azimuth those below a largest r.
+/// Which directions a sampler can return, as polar slopes r (wx cos phi, wy sin phi): along each azimuth those below a
+/// largest r.
 enum class reach { hemisphere, seen, reflected };
 
-/// The bins: rings of r, 4 to an e-fold, and sectors, the first of which starts a quarter turn from the view: there what can be seen ends
-/// sharply.
+/// The bins: rings of r, 4 to an e-fold, and sectors, the first of which starts a quarter turn from the view: there
+/// what can be seen ends sharply.
 class bins {
 public:
     static constexpr int sectors = 16;
@@ -39,7 +40,8 @@ public:
 
     bins(const vec2<double>& widths, const vec3<double>& view, reach limit)
         : w(widths), v(view), to(limit), origin(std::atan2(w.y * v.y, w.x * v.x) + pi / 2) {
-        for (double ln_r = first; ln_r < std::log(1000 / std::min(w.x, w.y)); ln_r += step) edges.push_back(std::exp(ln_r));
+        for (double ln_r = first; ln_r < std::log(1000 / std::min(w.x, w.y)); ln_r += step)
+            edges.push_back(std::exp(ln_r));
     }
 
     std::size_t count() const { return (edges.size() + 1) * sectors; }
@@ -48,15 +50,18 @@ public:
         const double x = m.x / (m.z * w.x), y = m.y / (m.z * w.y), ln_r = std::log(x * x + y * y) / 2;
         double turn = (std::atan2(y, x) - origin) / (2 * pi);
         turn -= std::floor(turn);
-        const double ring = std::min(std::max(0.0, 1 + std::floor((ln_r - first) / step)), static_cast<double>(edges.size()));
-        return static_cast<std::size_t>(ring) * sectors + static_cast<std::size_t>(std::min(static_cast<int>(turn * sectors), sectors - 1));
+        const double ring =
+            std::min(std::max(0.0, 1 + std::floor((ln_r - first) / step)), static_cast<double>(edges.size()));
+        return static_cast<std::size_t>(ring) * sectors +
+               static_cast<std::size_t>(std::min(static_cast<int>(turn * sectors), sectors - 1));
     }
 
-    /// int density(m) dm over each, by Gauss's rule: in r over the disk inside the first edge, in ln r over the rings, by e-folds to
-    /// 1e30 outside the last; in phi, nodes crowd towards the edges of a sector. Where the reach ends inside a bin, the error is 1/96^2 of it.
+    /// int density(m) dm over each, by Gauss's rule: in r over the disk inside the first edge, in ln r over the rings,
+    /// by e-folds to 1e30 outside the last; in phi, nodes crowd towards the edges of a sector. Where the reach ends
+    /// inside a bin, the error is 1/96^2 of it.
     template <class Density>
     std::vector<double> probabilities(const Density& density) const {
-        const lobe::detail::gauss_legendre<double> across(96), along(6);
+        const lobe::gauss_legendre<double> across(96), along(6);
         std::vector<double> p(count());
         for (int sector = 0; sector < sectors; ++sector)
             for (std::size_t k = 0; k < across.x.size(); ++k) {
@@ -71,7 +76,8 @@ public:
                     high = std::min(high, top);
                     for (std::size_t i = 0; low < high && i < along.x.size(); ++i) {
                         const double r = low > 0 ? low * std::pow(high / low, along.x[i]) : high * along.x[i];
-                        p[ring * sectors + static_cast<std::size_t>(sector)] += at_slope(r) * along.w[i] * (low > 0 ? r * std::log(high / low) : high);
+                        p[ring * sectors + static_cast<std::size_t>(sector)] +=
+                            at_slope(r) * along.w[i] * (low > 0 ? r * std::log(high / low) : high);
                     }
                 };
                 add(0, 0, edges[0]);
@@ -82,7 +88,8 @@ public:
     }
 
 private:
-    /// v.m > 0, or l.z > 0, with m = (r dx, r dy, 1): v.z + r (d.v) > 0, or v.z |d|^2 r^2 - 2 r (d.v) - v.z < 0, a circle.
+    /// v.m > 0, or l.z > 0, with m = (r dx, r dy, 1): v.z + r (d.v) > 0, or v.z |d|^2 r^2 - 2 r (d.v) - v.z < 0, a
+    /// circle.
     double largest(double dx, double dy) const {
         const double c = dx * v.x + dy * v.y, d2 = dx * dx + dy * dy;
         if (to == reach::hemisphere || (to == reach::seen && c >= 0)) return 1e300;
@@ -103,9 +110,9 @@ struct fit {
     int degrees;
 };
 
-/// Pearson's chi^2 of a million samples against the integrals of the pdf. What is not a direction above the horizon counts as failed, a bin
-/// of its own; bins that expect fewer than 10 are merged. p is the chance that a right sampler is further off, by Wilson and Hilferty's
-/// cube root, good to 1 % of itself from 20 degrees on.
+/// Pearson's chi^2 of a million samples against the integrals of the pdf. What is not a direction above the horizon
+/// counts as failed, a bin of its own; bins that expect fewer than 10 are merged. p is the chance that a right sampler
+/// is further off, by Wilson and Hilferty's cube root, good to 1 % of itself from 20 degrees on.
 template <class Sample, class Density>
 fit chi_squared(const bins& cells, const Sample& sample, const Density& density, std::uint64_t seed) {
     constexpr int samples = 1000000;
@@ -140,14 +147,16 @@ fit chi_squared(const bins& cells, const Sample& sample, const Density& density,
 
 template <class N>
 fit all_normals(const N& ndf, std::uint64_t seed) {
-    return chi_squared(bins(ndf.width(), {0, 0, 1}, reach::hemisphere), [&](const vec2<double>& u) { return ndf.sample(u); },
-                       [&](const vec3<double>& m) { return ndf.pdf(m); }, seed);
+    return chi_squared(
+        bins(ndf.width(), {0, 0, 1}, reach::hemisphere), [&](const vec2<double>& u) { return ndf.sample(u); },
+        [&](const vec3<double>& m) { return ndf.pdf(m); }, seed);
 }
 
 template <class N>
 fit visible_normals(const N& ndf, const vec2<double>& width, const vec3<double>& v, std::uint64_t seed) {
-    return chi_squared(bins(width, v, reach::seen), [&](const vec2<double>& u) { return ndf.sample_visible(v, u); },
-                       [&](const vec3<double>& m) { return ndf.pdf_visible(v, m); }, seed);
+    return chi_squared(
+        bins(width, v, reach::seen), [&](const vec2<double>& u) { return ndf.sample_visible(v, u); },
+        [&](const vec3<double>& m) { return ndf.pdf_visible(v, m); }, seed);
 }
 
 /// Of light directions, as half vectors: dl = 4 (v.m) dm.
@@ -157,8 +166,9 @@ fit light_directions(const B& brdf, const vec3<double>& v, std::uint64_t seed) {
         const auto s = brdf.sample(v, u);
         return s.pdf > 0 ? lobe::normalize(v + s.l) : vec3<double>(0);
     };
-    return chi_squared(bins(brdf.width(), v, reach::reflected), half,
-                       [&](const vec3<double>& m) { return brdf.pdf(v, lobe::reflect(v, m)) * 4 * lobe::dot(v, m); }, seed);
+    return chi_squared(
+        bins(brdf.width(), v, reach::reflected), half,
+        [&](const vec3<double>& m) { return brdf.pdf(v, lobe::reflect(v, m)) * 4 * lobe::dot(v, m); }, seed);
 }
 
 struct result {
@@ -185,9 +195,10 @@ public:
 
 const struct {
     double ax, ay, mu;
-} situations[] = {{0.001, 0.001, 1},    {0.001, 0.001, 0.5}, {0.001, 0.001, grazing}, {0.05, 0.05, 0.1}, {0.1, 0.1, grazing},
-                  {0.3, 0.3, 0.2},      {1, 1, 0.5},         {1, 1, grazing},         {1, 1, 1},         {0.001, 0.3, 0.5},
-                  {0.6, 0.05, grazing}, {0.02, 1, 0.05},     {2.5, 1.5, 0.3}};
+} situations[] = {
+    {0.001, 0.001, 1},    {0.001, 0.001, 0.5}, {0.001, 0.001, grazing}, {0.05, 0.05, 0.1}, {0.1, 0.1, grazing},
+    {0.3, 0.3, 0.2},      {1, 1, 0.5},         {1, 1, grazing},         {1, 1, 1},         {0.001, 0.3, 0.5},
+    {0.6, 0.05, grazing}, {0.02, 1, 0.05},     {2.5, 1.5, 0.3}};
 
 void microfacets_of_ggx(all_tests& tests) {
     for (const auto& [ax, ay, mu] : situations) {
@@ -235,9 +246,11 @@ void normals(all_tests& tests) {
 void flakes(all_tests& tests) {
     const auto seen = [&](const std::string& name, const lobe::sggx<double>& sggx, const vec3<double>& v) {
         const lobe::frame<double> of_view(v);
-        tests.add("sggx, " + name, chi_squared(bins({1, 1}, {0, 0, 1}, reach::hemisphere),
-                                               [&](const vec2<double>& u) { return of_view.to_local(sggx.sample_visible(v, u)); },
-                                               [&](const vec3<double>& m) { return sggx.pdf_visible(v, of_view.to_world(m)); }, tests.seed()));
+        tests.add("sggx, " + name,
+                  chi_squared(
+                      bins({1, 1}, {0, 0, 1}, reach::hemisphere),
+                      [&](const vec2<double>& u) { return of_view.to_local(sggx.sample_visible(v, u)); },
+                      [&](const vec3<double>& m) { return sggx.pdf_visible(v, of_view.to_world(m)); }, tests.seed()));
     };
     seen("a surface from above", lobe::sggx{alpha_xy{0.3, 0.5}}, at(0.7));
     seen("a surface from its side", lobe::sggx{alpha{0.3}}, at(grazing));
@@ -246,29 +259,31 @@ void flakes(all_tests& tests) {
     seen("any axes", lobe::sggx{lobe::frame<double>(at(-0.3, 2)), vec3<double>{0.2, 0.9, 0.5}}, at(0.6));
     // so narrow that its normals lie around n; what is seen of the other side counts as failed
     const lobe::sggx narrow{alpha{0.001}};
-    for (const double mu : {1.0, 0.5, grazing}) tests.add("sggx, narrow, at " + std::to_string(mu), visible_normals(narrow, {0.001, 0.001}, at(mu), tests.seed()));
+    for (const double mu : {1.0, 0.5, grazing})
+        tests.add("sggx, narrow, at " + std::to_string(mu),
+                  visible_normals(narrow, {0.001, 0.001}, at(mu), tests.seed()));
 }
 
-/// By quadrature and Newton's method: up to 15 microseconds a sample at grazing angles, where all share one code; half a microsecond at the
-/// normal. In between both branches are taken.
+/// By quadrature and Newton's method: up to 15 microseconds a sample at grazing angles, where all share one code; half
+/// a microsecond at the normal. In between both branches are taken.
 void numeric_visible_normals(all_tests& tests) {
     const alpha<double> narrow{0.001}, middle{0.3}, wide{1};
     tests.of_visible("student_t", lobe::student_t{narrow, 3.0}, 1);
     tests.of_visible("hyper_cauchy", lobe::hyper_cauchy{narrow, 2.5}, 1);
     tests.of_visible("blinn_phong", lobe::blinn_phong{narrow}, 1);
-    tests.of_visible("phong", lobe::phong{narrow}, 1);
-    tests.of_visible("exponential_power", lobe::exponential_power{narrow, 0.5}, 1);
-    tests.of_visible("gtr", lobe::gtr{narrow, 3.0}, 1);
-    tests.of_visible("abc", lobe::abc{narrow, 2.5}, 1);
+    tests.of_visible("phong", lobe::tabulated{lobe::phong{narrow}}, 1);
+    tests.of_visible("exponential_power", lobe::tabulated{lobe::exponential_power{narrow, 0.5}}, 1);
+    tests.of_visible("gtr", lobe::tabulated{lobe::gtr{narrow, 3.0}}, 1);
+    tests.of_visible("abc", lobe::tabulated{lobe::abc{narrow, 2.5}}, 1);
     tests.of_visible("student_t", lobe::student_t{middle, 3.0}, 0.5);
     tests.of_visible("hyper_cauchy", lobe::hyper_cauchy{alpha_xy{0.6, 0.2}, 2.5}, 0.5);
     tests.of_visible("blinn_phong", lobe::blinn_phong{alpha{0.5}}, 0.5);
-    tests.of_visible("phong", lobe::phong{wide}, 0.5);
-    tests.of_visible("exponential_power", lobe::exponential_power{alpha_xy{0.6, 0.2}, 2.0}, grazing);
-    tests.of_visible("gtr", lobe::gtr{middle, 1.0}, 0.5);
-    tests.of_visible("abc", lobe::abc{alpha{0.5}, 1.5}, 0.5);
-    tests.of_visible("sgd", lobe::sgd{middle, 1.5}, 0.5);
-    tests.of_visible("gtr", lobe::gtr{narrow, 3.0}, grazing);
+    tests.of_visible("phong", lobe::tabulated{lobe::phong{wide}}, 0.5);
+    tests.of_visible("exponential_power", lobe::tabulated{lobe::exponential_power{alpha_xy{0.6, 0.2}, 2.0}}, grazing);
+    tests.of_visible("gtr", lobe::tabulated{lobe::gtr{middle, 1.0}}, 0.5);
+    tests.of_visible("abc", lobe::tabulated{lobe::abc{alpha{0.5}, 1.5}}, 0.5);
+    tests.of_visible("sgd", lobe::tabulated{lobe::sgd{middle, 1.5}}, 0.5);
+    tests.of_visible("gtr", lobe::tabulated{lobe::gtr{narrow, 3.0}}, grazing);
 }
 
 void diffuse(all_tests& tests) {
@@ -287,25 +302,39 @@ void diffuse(all_tests& tests) {
         tests.add(name, chi_squared(bins({1, 1}, {0, 0, 1}, reach::hemisphere), map, pdf, tests.seed()));
     };
     const auto cosine = [](const vec3<double>& w) { return lobe::cosine_hemisphere_pdf(w); };
-    warp("cosine_hemisphere", [](const vec2<double>& u) { return lobe::square_to_cosine_hemisphere(u); }, cosine);
-    warp("cosine_hemisphere_concentric", [](const vec2<double>& u) { return lobe::square_to_cosine_hemisphere_concentric(u); }, cosine);
-    warp("uniform_hemisphere", [](const vec2<double>& u) { return lobe::square_to_uniform_hemisphere(u); },
-         [](const vec3<double>&) { return lobe::uniform_hemisphere_pdf<double>(); });
+    warp(
+        "cosine_hemisphere", [](const vec2<double>& u) { return lobe::square_to_cosine_hemisphere(u); }, cosine);
+    warp(
+        "cosine_hemisphere_concentric",
+        [](const vec2<double>& u) { return lobe::square_to_cosine_hemisphere_concentric(u); }, cosine);
+    warp(
+        "uniform_hemisphere", [](const vec2<double>& u) { return lobe::square_to_uniform_hemisphere(u); },
+        [](const vec3<double>&) { return lobe::uniform_hemisphere_pdf<double>(); });
 }
 
 void compositions(all_tests& tests) {
-    const auto gloss = [](double a, double F0) { return lobe::microfacet{ggx{alpha{a}}, lobe::smith_correlated{}, lobe::schlick{F0}}; };
+    const auto gloss = [](double a, double F0) {
+        return lobe::microfacet{ggx{alpha{a}}, lobe::smith_correlated{}, lobe::schlick{F0}};
+    };
     const auto some_E = [](double mu) { return 0.04 + 0.4 * (1 - mu); };
     const lobe::burley base{0.7, 0.5};
     for (const auto& [a, mu] : {std::pair{0.001, 0.3}, std::pair{0.1, 1.0}, std::pair{1.0, grazing}}) {
         const std::string name = std::to_string(a);
         tests.of_lights("metallic_roughness " + name, lobe::metallic_roughness(0.7, 0.2, alpha{a}), mu);
-        tests.of_lights("anisotropic metallic_roughness " + name, lobe::metallic_roughness(0.7, 0.2, alpha_xy{a, 3 * a}), mu);
-        tests.of_lights("sum " + name, lobe::sum{lobe::weighted{0.4, gloss(a, 0.6)}, lobe::weighted{0.6, gloss(0.8, 0.6)}, lobe::lambert{0.3}}, mu);
-        tests.of_lights("coated " + name, lobe::coated(lobe::metallic_roughness(0.7, 0.2, alpha{0.5}), ggx{alpha{a}}, 1.0), mu);
-        tests.of_lights("layered by fresnel " + name, lobe::layered{gloss(a, 0.04), base, lobe::fresnel_coupling{lobe::schlick{0.04}}}, mu);
-        tests.of_lights("layered by albedo " + name, lobe::layered{gloss(a, 0.04), base, lobe::albedo_coupling{some_E}}, mu);
-        tests.of_lights("layered both ways " + name, lobe::layered{gloss(a, 0.04), base, lobe::reciprocal_coupling{some_E, 0.25}}, mu);
+        tests.of_lights("anisotropic metallic_roughness " + name,
+                        lobe::metallic_roughness(0.7, 0.2, alpha_xy{a, 3 * a}), mu);
+        tests.of_lights(
+            "sum " + name,
+            lobe::sum{lobe::weighted{0.4, gloss(a, 0.6)}, lobe::weighted{0.6, gloss(0.8, 0.6)}, lobe::lambert{0.3}},
+            mu);
+        tests.of_lights("coated " + name,
+                        lobe::coated(lobe::metallic_roughness(0.7, 0.2, alpha{0.5}), ggx{alpha{a}}, 1.0), mu);
+        tests.of_lights("layered by fresnel " + name,
+                        lobe::layered{gloss(a, 0.04), base, lobe::fresnel_coupling{lobe::schlick{0.04}}}, mu);
+        tests.of_lights("layered by albedo " + name, lobe::layered{gloss(a, 0.04), base, lobe::albedo_coupling{some_E}},
+                        mu);
+        tests.of_lights("layered both ways " + name,
+                        lobe::layered{gloss(a, 0.04), base, lobe::reciprocal_coupling{some_E, 0.25}}, mu);
     }
 }
 
@@ -322,7 +351,8 @@ TEST_CASE("a million samples of every sampler follow its pdf", "[sampling]") {
     // 1 % for all of them together (Sidak): of right samplers all pass in 99 of 100 choices of seeds
     const double threshold = 1 - std::pow(0.99, 1 / static_cast<double>(tests.results.size()));
     for (const auto& [name, is, error] : tests.results) {
-        INFO(name << ": p " << is.p << " of " << is.degrees << " degrees; pdf integrates to " << is.integral << ", successes " << is.success);
+        INFO(name << ": p " << is.p << " of " << is.degrees << " degrees; pdf integrates to " << is.integral
+                  << ", successes " << is.success);
         CHECK(is.p > threshold);
         CHECK(is.degrees > 100);
         CHECK(is.integral < 1 + error);
@@ -332,8 +362,11 @@ TEST_CASE("a million samples of every sampler follow its pdf", "[sampling]") {
 TEST_CASE("chi-squared of a million can see: a density that is 1 % off fails", "[sampling]") {
     const lobe::beckmann drawn{alpha{0.3}};
     const auto against = [&](const auto& stated) {
-        return chi_squared(bins({0.3, 0.3}, at(0.2), reach::seen), [&](const vec2<double>& u) { return drawn.sample_visible(at(0.2), u); },
-                           [&](const vec3<double>& m) { return stated.pdf_visible(at(0.2), m); }, 7).p;
+        return chi_squared(
+                   bins({0.3, 0.3}, at(0.2), reach::seen),
+                   [&](const vec2<double>& u) { return drawn.sample_visible(at(0.2), u); },
+                   [&](const vec3<double>& m) { return stated.pdf_visible(at(0.2), m); }, 7)
+            .p;
     };
     CHECK(against(drawn) > 1e-4);
     CHECK(against(lobe::beckmann{alpha{0.303}}) < 1e-4);
@@ -350,5 +383,8 @@ TEST_CASE("chi-squared of a million can see: a density that is 1 % off fails", "
             return lobe::visible_bounded_caps{}.area(ndf, v, v_m, m_z, sv);
         }
     };
-    CHECK(light_directions(lobe::microfacet{ggx{alpha{0.3}}, lobe::smith_correlated{}, lobe::perfect_reflector{}, wrong{}}, at(0.2), 7).p < 1e-4);
+    CHECK(
+        light_directions(
+            lobe::microfacet{ggx{alpha{0.3}}, lobe::smith_correlated{}, lobe::perfect_reflector{}, wrong{}}, at(0.2), 7)
+            .p < 1e-4);
 }

@@ -19,8 +19,8 @@ constexpr double pi = 3.141592653589793;
 
 vec3<double> view(double mu) { return {std::sqrt((1 - mu) * (1 + mu)), 0, mu}; }
 
-/// The extension's README, "Layering": mix(material, D G / (4 cos cos), clearcoat F(n.v)) with glTF's own D and V, alpha the square of
-/// clearcoatRoughness, F(n.v) = 0.04 + 0.96 (1 - n.v)^5. Long double.
+/// The extension's README, "Layering": mix(material, D G / (4 cos cos), clearcoat F(n.v)) with glTF's own D and V,
+/// alpha the square of clearcoatRoughness, F(n.v) = 0.04 + 0.96 (1 - n.v)^5. Long double.
 double printed_coat(double base, double weight, double roughness, const vec3<double>& v, const vec3<double>& l) {
     using real = long double;
     const real a2 = static_cast<real>(roughness) * roughness * roughness * roughness, NV = v.z, NL = l.z;
@@ -52,7 +52,8 @@ TEST_CASE("a clear coat is KHR_materials_clearcoat's", "[coat]") {
     const vec3<double> gold{1, 0.71, 0.29}, v = view(0.4), l{0, 0.8, 0.6};
     const auto base = lobe::metallic_roughness(gold, 0.3, alpha{0.5});
     for (int c = 0; c < 3; ++c)
-        CHECK(coated(base, ggx{alpha{0.04}}, 0.7).f(v, l)[c] == Catch::Approx(printed_coat(base.f(v, l)[c], 0.7, 0.2, v, l)).epsilon(1e-13));
+        CHECK(coated(base, ggx{alpha{0.04}}, 0.7).f(v, l)[c] ==
+              Catch::Approx(printed_coat(base.f(v, l)[c], 0.7, 0.2, v, l)).epsilon(1e-13));
 }
 
 TEST_CASE("a clear coat makes no light, and loses only what its facets lose", "[coat]") {
@@ -64,7 +65,8 @@ TEST_CASE("a clear coat makes no light, and loses only what its facets lose", "[
         for (double mu : {0.01, 0.03, 0.1, 0.12, 0.3, 0.57, 1.0}) {
             const double E = total(a, mu), F = 0.04 + 0.96 * std::pow(1 - mu, 5);
             largest = larger(largest, E), least = std::min(least, E);
-            const double facets = lobe::directional_albedo(lobe::microfacet{ggx{alpha{a}}, lobe::smith_correlated{}, lobe::perfect_reflector{}}, mu);
+            const double facets = lobe::directional_albedo(
+                lobe::microfacet{ggx{alpha{a}}, lobe::smith_correlated{}, lobe::perfect_reflector{}}, mu);
             worst = larger(worst, std::abs(E - (1 - F * (1 - facets))));
             worst = larger(worst, std::abs(total(a, mu, 0.3) - (1 - 0.3 * F * (1 - facets))));
         }
@@ -91,12 +93,14 @@ TEST_CASE("a clear coat is sampled by what each part reflects", "[coat]") {
                         mean += s.weight / (side * side);
                         largest = larger(largest, s.weight);
                         const auto e = brdf.evaluate(v, s.l);
-                        inconsistent = larger({inconsistent, std::abs(e.pdf / s.pdf - 1), std::abs(e.f_cos / (s.weight * s.pdf) - 1)});
+                        inconsistent = larger(
+                            {inconsistent, std::abs(e.pdf / s.pdf - 1), std::abs(e.f_cos / (s.weight * s.pdf) - 1)});
                     }
                 // Shares w and 1 - w of weights that are at most 1 each: a white base under a coat of F = 1
                 CHECK(largest < 1 + 1e-12);
                 CHECK(inconsistent < 1e-12);
-                // the grid's error: one cell in `side` straddles the border between the lobes, whose weights differ by at most 1
+                // the grid's error: one cell in `side` straddles the border between the lobes, whose weights differ by
+                // at most 1
                 CHECK(std::abs(mean - lobe::directional_albedo(brdf, mu).value) < 1.0 / side);
             }
 }
@@ -108,6 +112,7 @@ TEST_CASE("a clear coat: weight 0, bad weights, two widths, a colour's type", "[
         CHECK(aborts([&] { (void)coated(lambert{0.5f}, ggx{alpha{0.1f}}, bad); }));
     static_assert(!decltype(coated(lambert{0.5}, ggx{alpha_xy{0.1, 0.2}}, 1.0))::isotropic);
     const auto coloured = coated(lambert{vec3<float>{0.5f, 0.2f, 0.1f}}, ggx{alpha{0.1f}}, 1.0f);
-    static_assert(std::same_as<decltype(coloured.f_cos({}, {})), vec3<float>> && lobe::samplable_brdf<decltype(coloured)>);
+    static_assert(std::same_as<decltype(coloured.f_cos({}, {})), vec3<float>> &&
+                  lobe::samplable_brdf<decltype(coloured)>);
     CHECK(coloured.width() == vec2<float>{0.1f, 0.1f});
 }

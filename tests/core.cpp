@@ -2,7 +2,7 @@
 #include "support.hpp"
 
 #include <lobe/core/frame.hpp>
-#include <lobe/core/roughness.hpp>
+#include <lobe/width/alpha.hpp>
 
 #include <bit>
 
@@ -47,7 +47,8 @@ TEST_CASE("sincos_2pi is within 2 ULP: a strided sweep of the floats of [0,1]", 
 TEST_CASE("sincos_2pi is within 2 ULP in double", "[core]") {
     random_numbers random(1);
     double worst = 0;
-    for (int i = 0; i < 1000000; ++i) worst = larger({worst, worst_sincos(random()), worst_sincos(random.log_between(1e-300, 1))});
+    for (int i = 0; i < 1000000; ++i)
+        worst = larger({worst, worst_sincos(random()), worst_sincos(random.log_between(1e-300, 1))});
     INFO(worst << " ULP");
     CHECK(worst <= 2 + reference_slack);
 }
@@ -69,7 +70,8 @@ double not_orthonormal(const frame<T>& at) {
     double worst = 0;
     const vec3<long double> axes[3] = {vec3<long double>(at.t), vec3<long double>(at.b), vec3<long double>(at.n)};
     for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) worst = larger(worst, static_cast<double>(std::abs(lobe::dot(axes[i], axes[j]) - (i == j ? 1 : 0))));
+        for (int j = 0; j < 3; ++j)
+            worst = larger(worst, static_cast<double>(std::abs(lobe::dot(axes[i], axes[j]) - (i == j ? 1 : 0))));
     return worst / std::numeric_limits<T>::epsilon();  // ULP of 1
 }
 
@@ -149,7 +151,8 @@ TEST_CASE("light below the true surface of a normal map fades to nothing", "[cor
         CHECK(std::abs(lobe::bump_shadowing(g, l) - listed) < 1e-9);
         CHECK(lobe::bump_shadowing(vec3<double>{0, 0, 1}, l) == (l.z > 0 ? 1 : 0));
     }
-    CHECK(lobe::bump_shadowing(vec3<float>{0.6f, 0, 0.8f}, vec3<float>{-0.8f, 0, 0.6f}) == Catch::Approx(0).margin(1e-6));
+    CHECK(lobe::bump_shadowing(vec3<float>{0.6f, 0, 0.8f}, vec3<float>{-0.8f, 0, 0.6f}) ==
+          Catch::Approx(0).margin(1e-6));
     CHECK(lobe::bump_shadowing(vec3<float>{0.6f, 0, 0.8f}, vec3<float>{-0.9f, 0, 0.4f}) == 0);
 }
 

@@ -69,16 +69,17 @@ real printed_eon(real rho, real r, const angles& g, bool fit) {
 real printed_burley(real rho, real r, const angles& g, bool frostbite) {
     const real LdotH2 = (1 + g.v_l()) / 2;
     const real F90 = (frostbite ? 0.5L * r : 0.5L) + 2 * r * LdotH2, factor = frostbite ? 1 + r * (1 / 1.51L - 1) : 1;
-    return rho / pi * (1 + (F90 - 1) * std::pow(1 - g.mu_l, real(5))) * (1 + (F90 - 1) * std::pow(1 - g.mu_v, real(5))) * factor;
+    return rho / pi * (1 + (F90 - 1) * std::pow(1 - g.mu_l, real(5))) *
+           (1 + (F90 - 1) * std::pow(1 - g.mu_v, real(5))) * factor;
 }
 
 vec3<double> at_cosine(double mu) { return {std::sqrt((1 - mu) * (1 + mu)), 0, mu}; }
 
-/// The directional albedo by a rule of its own: Gauss-Legendre in theta and phi, split where the models have edges, at theta_l =
-/// theta_v and at a quarter turn, so that each piece is smooth and 24 nodes a side reach 1e-13.
+/// The directional albedo by a rule of its own: Gauss-Legendre in theta and phi, split where the models have edges, at
+/// theta_l = theta_v and at a quarter turn, so that each piece is smooth and 24 nodes a side reach 1e-13.
 template <class B>
 double albedo(const B& b, double mu) {
-    static const lobe::detail::gauss_legendre<double> rule(24);
+    static const lobe::gauss_legendre<double> rule(24);
     const vec3<double> v = at_cosine(mu);
     const double half_pi = static_cast<double>(pi / 2), theta_v = std::atan2(v.x, v.z);
     double total = 0;
@@ -87,14 +88,17 @@ double albedo(const B& b, double mu) {
             for (int quarter = 0; quarter < 2; ++quarter)
                 for (std::size_t j = 0; j < rule.x.size(); ++j) {
                     const double theta = from + (to - from) * rule.x[i], phi = half_pi * (quarter + rule.x[j]);
-                    const vec3<double> l{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+                    const vec3<double> l{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                                         std::cos(theta)};
                     total += 2 * rule.w[i] * rule.w[j] * (to - from) * half_pi * std::sin(theta) * b.f_cos(v, l);
                 }
     return total;
 }
 
 template <class B, class W>
-concept takes = requires(const B& b, const W& w) { b.f(w, w); };
+concept takes = requires(const B& b, const W& w) {
+    b.f(w, w);
+};
 
 struct range {
     double low = 1e9, high = -1e9;
@@ -119,8 +123,9 @@ void for_each_model(const S& rho, const T& r, const G& g) {
 }  // namespace
 
 TEST_CASE("each diffuse f is the printed equation", "[diffuse]") {
-    // v and l are given to 1e-16, which reaches s = v.x l.x + v.y l.y, and through it f, times r/max(mu); where terms cancel, errors
-    // are absolute. So errors are counted in units of rho/pi (0.3 + r/max(mu)), or of f where that is more.
+    // v and l are given to 1e-16, which reaches s = v.x l.x + v.y l.y, and through it f, times r/max(mu); where terms
+    // cancel, errors are absolute. So errors are counted in units of rho/pi (0.3 + r/max(mu)), or of f where that is
+    // more.
     random_numbers random(1);
     double worst[6] = {};
     for (int i = 0; i < 100000; ++i) {
@@ -130,7 +135,8 @@ TEST_CASE("each diffuse f is the printed equation", "[diffuse]") {
         const auto compare = [&](double& error, const auto& brdf, real printed) {
             const real scale = std::max(printed, real(rho) / pi * (0.3L + real(r) / std::max(g.mu_v, g.mu_l)));
             error = larger(error, static_cast<double>(std::abs(real(brdf.f(v, l)) - printed) / scale));
-            error = larger(error, static_cast<double>(std::abs(real(brdf.f_cos(v, l)) - printed * real(l.z)) / (scale * real(l.z))));
+            error = larger(error, static_cast<double>(std::abs(real(brdf.f_cos(v, l)) - printed * real(l.z)) /
+                                                      (scale * real(l.z))));
         };
         compare(worst[0], lobe::oren_nayar{rho, 1.5 * r}, printed_oren_nayar(rho, 1.5L * real(r), g));
         compare(worst[1], lobe::fon{rho, r}, printed_fon(rho, r, g));
@@ -169,15 +175,16 @@ TEST_CASE("diffuse models are reciprocal", "[diffuse]") {
             for (int i = 0; i < 20000; ++i) {
                 const vec3<double> v = random.grazing_direction(1e-6), l = random.grazing_direction(1e-6);
                 const double there = brdf.f(v, l), back = brdf.f(l, v);
-                worst = larger(worst, std::abs(there - back) / (there + 0.8 / 3.14));  // rounding of sums, in units of rho/pi
+                // rounding of sums, in units of rho/pi
+                worst = larger(worst, std::abs(there - back) / (there + 0.8 / 3.14));
             }
             CHECK(worst < 4 * epsilon);
         });
 }
 
 TEST_CASE("albedo ranges at rho = 1", "[diffuse]") {
-    // Independently computed numbers, which are those of a grid that starts at mu = 0.02 and, for Oren-Nayar, has sigma from 0.3 to 1.5;
-    // "0.563..." is cut off, the others are rounded.
+    // Independently computed numbers, which are those of a grid that starts at mu = 0.02 and, for Oren-Nayar, has sigma
+    // from 0.3 to 1.5; "0.563..." is cut off, the others are rounded.
     range oren_nayar, burley, frostbite;
     for (double mu : {0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 0.85, 1.0}) {
         for (double sigma : {0.3, 0.6, 0.9, 1.2, 1.5}) oren_nayar.add(albedo(lobe::oren_nayar{1.0, sigma}, mu));
@@ -186,8 +193,8 @@ TEST_CASE("albedo ranges at rho = 1", "[diffuse]") {
             frostbite.add(albedo(lobe::burley_frostbite{1.0, r}, mu));
         }
     }
-    INFO(oren_nayar.low << " " << oren_nayar.high << "  " << burley.low << " " << burley.high << "  " << frostbite.low << " "
-                        << frostbite.high);
+    INFO(oren_nayar.low << " " << oren_nayar.high << "  " << burley.low << " " << burley.high << "  " << frostbite.low
+                        << " " << frostbite.high);
     CHECK(std::abs(oren_nayar.low - 0.5635) < 0.0005);
     CHECK(std::abs(oren_nayar.high - 1.004) < 0.0005);
     CHECK(std::abs(burley.low - 0.535) < 0.0005);
@@ -222,7 +229,8 @@ TEST_CASE("FON's albedo is its closed form, and its average", "[diffuse]") {
             const double closed = brdf.albedo(at_cosine(mu));
             CHECK(std::abs(albedo(brdf, mu) - closed) < 1e-12);
             CHECK(std::abs(static_cast<double>(0.6L * printed_E_F(r, mu)) - closed) < 4 * epsilon);
-            CHECK(std::abs(static_cast<double>(0.6L * printed_E_F_fit(r, mu)) - brdf.albedo(at_cosine(mu), lobe::fon_loss_fit{})) <
+            CHECK(std::abs(static_cast<double>(0.6L * printed_E_F_fit(r, mu)) -
+                           brdf.albedo(at_cosine(mu), lobe::fon_loss_fit{})) <
                   (mu < 0.01 ? 3e-4 * r : 4 * epsilon));  // below, E of the fit exceeds 1 and is held there
             // lobe's own rule has no edge at s = 0: Gauss-Legendre of order n errs by 1/n^2 there
             CHECK(std::abs(lobe::directional_albedo(brdf, mu, {.order = 128}).value - closed) < 1.0 / (128 * 128));
@@ -232,7 +240,7 @@ TEST_CASE("FON's albedo is its closed form, and its average", "[diffuse]") {
         const real printed = 0.6L * (1 + c2 * real(r)) / (1 + c1 * real(r));
         CHECK(std::abs(average.value - static_cast<double>(printed)) < 1.0 / (32 * 32));
         // 2 int E mu dmu by Gauss-Legendre in mu = t^3
-        const lobe::detail::gauss_legendre<double> rule(64);
+        const lobe::gauss_legendre<double> rule(64);
         double integral = 0;
         for (std::size_t i = 0; i < rule.x.size(); ++i) {
             const double t = rule.x[i], mu = t * t * t;
@@ -247,7 +255,7 @@ TEST_CASE("the fit of FON's albedo is within 4.7e-4", "[diffuse]") {
     const lobe::fon brdf{1.0, 1.0};
     for (int i = 1; i <= 10000; ++i) {
         const vec3<double> w = at_cosine(i / 10000.0);
-        loss = larger(loss, std::abs(lobe::fon_loss_fit{}(w) - lobe::fon_loss{}(w)));
+        loss = larger(loss, std::abs(lobe::fon_loss_fit{}(w)-lobe::fon_loss{}(w)));
         E = larger(E, std::abs(brdf.albedo(w, lobe::fon_loss_fit{}) - brdf.albedo(w)));
     }
     INFO(loss << ' ' << E);
@@ -271,7 +279,8 @@ TEST_CASE("EON reflects all light where rho is 1", "[diffuse]") {
             CHECK(std::abs(albedo(lobe::eon{1.0, r}, mu) - 1) < 1e-12);
             CHECK(std::abs(albedo(lobe::eon{1.0, r, lobe::fon_loss_fit{}}, mu) - 1) < 4e-4);
             CHECK(albedo(lobe::eon{0.5, r}, mu) <= 0.5 + 1e-12);
-            CHECK(std::abs(lobe::directional_albedo(lobe::eon{1.0, r}, mu, {.order = 128}).value - 1) < 1.0 / (128 * 128));
+            CHECK(std::abs(lobe::directional_albedo(lobe::eon{1.0, r}, mu, {.order = 128}).value - 1) <
+                  1.0 / (128 * 128));
             if (r == 0) CHECK(albedo(lobe::eon{0.5, r}, mu) == Catch::Approx(0.5).epsilon(1e-12));
         }
     CHECK(std::abs(lobe::average_albedo(lobe::eon{1.0, 1.0}, {.order = 32}).value - 1) < 1.0 / (32 * 32));
@@ -285,7 +294,8 @@ TEST_CASE("no diffuse model is negative, and none is seen from below", "[diffuse
             const auto look = [&](const vec3<float>& v, const vec3<float>& l) {
                 const float f = brdf.f(v, l), f_cos = brdf.f_cos(v, l), pdf = brdf.pdf(v, l);
                 lowest = f >= 0 && f_cos >= 0 && pdf >= 0 ? lowest : -1;  // a NaN counts
-                if (v.z <= 0 || l.z <= 0) below = larger({below, f, f_cos, pdf, brdf.sample(v, {0.3f, 0.7f}).pdf * float(v.z <= 0)});
+                if (v.z <= 0 || l.z <= 0)
+                    below = larger({below, f, f_cos, pdf, brdf.sample(v, {0.3f, 0.7f}).pdf * float(v.z <= 0)});
             };
             for (int i = 0; i < 20000; ++i) {
                 look(random.grazing_direction<float>(1e-6), random.grazing_direction<float>(1e-6));
@@ -311,13 +321,14 @@ TEST_CASE("diffuse sampling: weight * pdf = f_cos, E[weight] = albedo", "[diffus
                 const auto s = brdf.sample(v, lobe::hammersley<double>(i, count));
                 const auto e = brdf.evaluate(v, s.l);
                 mean += s.weight / count;
-                worst = larger({worst, std::abs(s.weight * s.pdf / brdf.f_cos(v, s.l) - 1), std::abs(s.pdf / brdf.pdf(v, s.l) - 1),
-                                std::abs(e.f_cos / brdf.f_cos(v, s.l) - 1), std::abs(e.pdf / s.pdf - 1)});
+                worst = larger({worst, std::abs(s.weight * s.pdf / brdf.f_cos(v, s.l) - 1),
+                                std::abs(s.pdf / brdf.pdf(v, s.l) - 1), std::abs(e.f_cos / brdf.f_cos(v, s.l) - 1),
+                                std::abs(e.pdf / s.pdf - 1)});
             }
             INFO("mu " << mu << " mean " << mean << " albedo " << albedo(brdf, mu));
             CHECK(worst < 4 * epsilon);
-            // Hammersley in two dimensions: (log2 n)/n = 2.4e-4 for a variation of 1, and the weight varies by about that, but for
-            // the peak of s/max(mu) at grazing where that is sampled by the cosine
+            // Hammersley in two dimensions: (log2 n)/n = 2.4e-4 for a variation of 1, and the weight varies by about
+            // that, but for the peak of s/max(mu) at grazing where that is sampled by the cosine
             CHECK(std::abs(mean - albedo(brdf, mu)) < 5e-4);
         });
     const auto below = lobe::eon{0.5f, 0.5f}.sample({0.6f, 0, -0.8f}, {0.3f, 0.3f});
@@ -358,11 +369,22 @@ struct bands {
     double value[4];
     explicit bands(double x) : value{x, x, x, x} {}
     template <class Op>
-    static bands each(bands a, const bands& b, Op op) { for (int i = 0; i < 4; ++i) a.value[i] = op(a.value[i], b.value[i]); return a; }
-    friend bands operator+(const bands& a, const bands& b) { return each(a, b, [](double x, double y) { return x + y; }); }
-    friend bands operator-(const bands& a, const bands& b) { return each(a, b, [](double x, double y) { return x - y; }); }
-    friend bands operator*(const bands& a, const bands& b) { return each(a, b, [](double x, double y) { return x * y; }); }
-    friend bands operator/(const bands& a, const bands& b) { return each(a, b, [](double x, double y) { return x / y; }); }
+    static bands each(bands a, const bands& b, Op op) {
+        for (int i = 0; i < 4; ++i) a.value[i] = op(a.value[i], b.value[i]);
+        return a;
+    }
+    friend bands operator+(const bands& a, const bands& b) {
+        return each(a, b, [](double x, double y) { return x + y; });
+    }
+    friend bands operator-(const bands& a, const bands& b) {
+        return each(a, b, [](double x, double y) { return x - y; });
+    }
+    friend bands operator*(const bands& a, const bands& b) {
+        return each(a, b, [](double x, double y) { return x * y; });
+    }
+    friend bands operator/(const bands& a, const bands& b) {
+        return each(a, b, [](double x, double y) { return x / y; });
+    }
     friend bands operator*(const bands& a, double x) { return a * bands(x); }
 };
 
@@ -375,7 +397,9 @@ TEST_CASE("a spectrum of the user's own", "[diffuse]") {
     std::vector<bands> all;
     for_each_model(rho, 0.7, [&](const auto& brdf) { all.push_back(brdf.f_cos(v, l)); });
     std::size_t i = 0;
-    for_each_model(0.9, 0.7, [&](const auto& brdf) { CHECK(brdf.f_cos(v, l) == Catch::Approx(all[i++].value[2]).epsilon(4 * epsilon)); });
+    for_each_model(0.9, 0.7, [&](const auto& brdf) {
+        CHECK(brdf.f_cos(v, l) == Catch::Approx(all[i++].value[2]).epsilon(4 * epsilon));
+    });
 }
 
 TEST_CASE("packs of floats give what their lanes give", "[diffuse]") {
@@ -385,7 +409,8 @@ TEST_CASE("packs of floats give what their lanes give", "[diffuse]") {
         std::vector<float> in[8];
         for (std::size_t lane = 0; lane < pack::size; ++lane) {
             const auto v = random.grazing_direction<float>(1e-3), l = random.direction<float>();
-            const float values[8] = {v.x, v.y, v.z, l.x, l.y, l.z, static_cast<float>(random()), static_cast<float>(random())};
+            const float values[8] = {
+                v.x, v.y, v.z, l.x, l.y, l.z, static_cast<float>(random()), static_cast<float>(random())};
             for (int k = 0; k < 8; ++k) in[k].push_back(values[k]);
         }
         pack p[8];

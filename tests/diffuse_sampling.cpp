@@ -1,4 +1,5 @@
-// The samplers of the rough diffuse models: bounded weights, densities, their spread, and the ends of what they are given.
+// The samplers of the rough diffuse models: bounded weights, densities, their spread, and the ends of what they are
+// given.
 #include "catch.hpp"
 #include "support.hpp"
 
@@ -43,20 +44,22 @@ void for_each_by_cosine(double rho, double r, const G& g) {
     g("eon, fon_loss_fit", lobe::eon{rho, r, lobe::fon_loss_fit{}, cosine_sampling{}});
 }
 
-/// int g dl over the hemisphere: 48 nodes of Gauss in theta and phi, split where the models have edges, theta_l = theta_v and a quarter
-/// turn from v, and crowding towards the lower ends. Within 1e-9 for v.z from 1e-3.
+/// int g dl over the hemisphere: 48 nodes of Gauss in theta and phi, split where the models have edges, theta_l =
+/// theta_v and a quarter turn from v, and crowding towards the lower ends. Within 1e-9 for v.z from 1e-3.
 template <class G>
 double over_hemisphere(double mu, const G& g) {
-    static const lobe::detail::gauss_legendre<double> rule(48);
+    static const lobe::gauss_legendre<double> rule(48);
     const double theta_v = std::acos(mu);
     double total = 0;
     for (const auto& [from, to] : {std::pair{0.0, theta_v}, std::pair{theta_v, pi / 2}})
         for (std::size_t i = 0; i < rule.x.size(); ++i)
             for (int quarter = 0; quarter < 4; ++quarter)
                 for (std::size_t j = 0; j < rule.x.size(); ++j) {
-                    const double t = rule.x[i], theta = to - (to - from) * t * t, phi = pi / 2 * (quarter - 1 + rule.x[j]);
+                    const double t = rule.x[i], theta = to - (to - from) * t * t,
+                                 phi = pi / 2 * (quarter - 1 + rule.x[j]);
                     const double w = rule.w[i] * (to - from) * 2 * t * pi / 2 * rule.w[j] * std::sin(theta);
-                    total += w * g(vec3<double>{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)});
+                    total += w * g(vec3<double>{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                                                std::cos(theta)});
                 }
     return total;
 }
@@ -65,7 +68,8 @@ double over_hemisphere(double mu, const G& g) {
 template <class T>
 std::vector<T> square_side(int steps) {
     using limits = std::numeric_limits<T>;
-    std::vector<T> side{T(0), limits::denorm_min(), limits::min(), T(1e-12), T(1e-6), 1 - T(1e-6), 1 - limits::epsilon() / 2};
+    std::vector<T> side{T(0),        limits::denorm_min(),     limits::min(), T(1e-12), T(1e-6),
+                        1 - T(1e-6), 1 - limits::epsilon() / 2};
     for (int i = 1; i < steps; ++i) side.push_back(T(i) / T(steps));
     return side;
 }
@@ -92,7 +96,8 @@ TEMPLATE_TEST_CASE("the weight of a rough diffuse sample is bounded", "[diffuse]
                             right = right && s.pdf > 0 && s.l.z > 0 && s.weight >= 0;
                             right = right && std::abs(lobe::length(s.l) - 1) < 4 * std::numeric_limits<T>::epsilon();
                         }
-                    // the same by evaluating, wherever l is: the opposite at grazing, where 1 + r s vanishes, among them
+                    // the same by evaluating, wherever l is: the opposite at grazing, where 1 + r s vanishes, among
+                    // them
                     for (const T z : cosines)
                         for (int turn = 0; turn <= 16; ++turn) {
                             const auto e = brdf.evaluate(v, at_cosine(z, phi + pi * turn / 16));
@@ -128,16 +133,21 @@ TEST_CASE("the density of rough diffuse samples is the printed one, and integrat
     for (int i = 0; i < 20000; ++i) {
         const double r = random(), sigma = r * pi / 2;
         const vec3<double> v = random.grazing_direction(1e-3), l = random.grazing_direction(1e-3);
-        const auto polar = [](const vec3<double>& w) { return std::atan2(std::hypot(real(w.x), real(w.y)), real(w.z)); };
+        const auto polar = [](const vec3<double>& w) {
+            return std::atan2(std::hypot(real(w.x), real(w.y)), real(w.z));
+        };
         const real theta_v = polar(v), theta_l = polar(l);
         const real cos_phi = std::cos(std::atan2(real(v.y), real(v.x)) - std::atan2(real(l.y), real(l.x)));
         const auto printed = [&](real tilt, real peak) {
-            const real sv = std::sin(theta_v), cv = std::cos(theta_v), cl = std::cos(theta_l), s = sv * std::sin(theta_l) * cos_phi;
+            const real sv = std::sin(theta_v), cv = std::cos(theta_v), cl = std::cos(theta_l),
+                       s = sv * std::sin(theta_l) * cos_phi;
             const real second = peak * sv * std::max(real(0), cos_phi) * (std::min(real(1), cl / cv) - cl);
             return (cl * (1 + tilt * s) + second) / (std::acos(real(-1)) + peak * sv * (1 - cv));
         };
         const real s2 = real(sigma) * real(sigma), ratio = 0.45L * s2 / (s2 + 0.09L) / (1 - 0.5L * s2 / (s2 + 0.33L));
-        const auto compare = [&](double pdf, real exact) { worst = larger(worst, static_cast<double>(std::abs(real(pdf) / exact - 1))); };
+        const auto compare = [&](double pdf, real exact) {
+            worst = larger(worst, static_cast<double>(std::abs(real(pdf) / exact - 1)));
+        };
         compare(lobe::oren_nayar{0.5, sigma}.pdf(v, l), printed(ratio / 3, ratio));
         compare(lobe::fon{0.5, r}.pdf(v, l), printed(0.9L * real(r), real(r)));
         compare(lobe::eon{0.5, r}.pdf(v, l), printed(0.9L * real(r), real(r)));
@@ -148,7 +158,8 @@ TEST_CASE("the density of rough diffuse samples is the printed one, and integrat
     for (const double mu : {0.001, 0.1, 0.5, 0.9, 1.0})
         for_each_rough(1.0, 1.0, [&](const std::string& name, const auto& brdf, double) {
             INFO(name << " mu " << mu);
-            CHECK(over_hemisphere(mu, [&](const vec3<double>& l) { return brdf.pdf(at_cosine(mu), l); }) == Catch::Approx(1).epsilon(1e-6));
+            CHECK(over_hemisphere(mu, [&](const vec3<double>& l) { return brdf.pdf(at_cosine(mu), l); }) ==
+                  Catch::Approx(1).epsilon(1e-6));
         });
 }
 
@@ -162,7 +173,8 @@ TEMPLATE_TEST_CASE("rough diffuse samples: moments of their light, and its sprea
             for_each_by_cosine(0.8, r, [&](const std::string&, const auto& brdf) {
                 const vec3<double> v = at_cosine(mu);
                 const double E = over_hemisphere(mu, [&](const vec3<double>& l) { return brdf.f_cos(v, l); });
-                const double E2 = over_hemisphere(mu, [&](const vec3<double>& l) { return pi * brdf.f(v, l) * brdf.f_cos(v, l); });
+                const double E2 =
+                    over_hemisphere(mu, [&](const vec3<double>& l) { return pi * brdf.f(v, l) * brdf.f_cos(v, l); });
                 by_cosine[model++] = std::sqrt(E2 / (E * E) - 1);
             });
             model = 0;
@@ -176,15 +188,18 @@ TEMPLATE_TEST_CASE("rough diffuse samples: moments of their light, and its sprea
                     moments[0] += w / n, moments[1] += w * x / n, moments[2] += w * z / n, square += w * w / n;
                 }
                 const double spread = std::sqrt(square / (moments[0] * moments[0]) - 1);
-                INFO(name << " r " << r << " mu " << mu << ": spread " << spread << " of the mean, by the cosine " << by_cosine[model]);
+                INFO(name << " r " << r << " mu " << mu << ": spread " << spread << " of the mean, by the cosine "
+                          << by_cosine[model]);
                 // The same model in double, as the quadrature's.
                 std::size_t k = 0;
                 for_each_rough(0.8, r, [&](const std::string&, const auto& exact, double) {
                     if (k++ != model) return;
                     const auto moment = [&](const auto& weighting) {
-                        return over_hemisphere(mu, [&](const vec3<double>& l) { return exact.f_cos(at_cosine(mu), l) * weighting(l); });
+                        return over_hemisphere(
+                            mu, [&](const vec3<double>& l) { return exact.f_cos(at_cosine(mu), l) * weighting(l); });
                     };
-                    CHECK(std::abs(moments[0] - moment([](const auto&) { return 1.0; })) < 1e-4);  // Hammersley: (log2 n)/n = 7e-5
+                    // Hammersley: (log2 n)/n = 7e-5
+                    CHECK(std::abs(moments[0] - moment([](const auto&) { return 1.0; })) < 1e-4);
                     CHECK(std::abs(moments[1] - moment([](const auto& l) { return l.x; })) < 1e-4);
                     CHECK(std::abs(moments[2] - moment([](const auto& l) { return l.z; })) < 1e-4);
                 });
@@ -218,10 +233,13 @@ TEST_CASE("rough diffuse samples in float are those in double", "[diffuse]") {
     for (int i = 0; i < 200000; ++i) {
         const float mu = static_cast<float>(random.log_between(1e-6, 1)), r = static_cast<float>(random());
         const vec3<float> v = at_cosine(mu, random.between(-pi, pi));
-        const vec2<float> u{static_cast<float>(random.log_between(1e-6, 1)) * 0.999f, static_cast<float>(random()) * 0.999f};
+        const vec2<float> u{static_cast<float>(random.log_between(1e-6, 1)) * 0.999f,
+                            static_cast<float>(random()) * 0.999f};
         const vec2<float> x{i % 2 ? u.x : 1 - u.x, u.y};
-        // Where u.x nears the share of the second lobe, p, which lobe is chosen is a matter of rounding, and u.x - p is known to that of p.
-        const double z = static_cast<double>(mu), m = static_cast<double>(r) * std::sqrt((1 - z) * (1 + z)) * (1 - z) / pi, p = m / (1 + m);
+        // Where u.x nears the share of the second lobe, p, which lobe is chosen is a matter of rounding, and u.x - p is
+        // known to that of p.
+        const double z = static_cast<double>(mu),
+                     m = static_cast<double>(r) * std::sqrt((1 - z) * (1 + z)) * (1 - z) / pi, p = m / (1 + m);
         if (std::abs(static_cast<double>(x.x) - p) < 1e-3) continue;
         const auto in_float = lobe::fon{1.0f, r}.sample(v, x);
         const auto in_double = lobe::fon{1.0, static_cast<double>(r)}.sample(vec3<double>(v), vec2<double>(x));
@@ -229,7 +247,7 @@ TEST_CASE("rough diffuse samples in float are those in double", "[diffuse]") {
         cosine = larger(cosine, std::abs(static_cast<double>(in_float.l.z) / in_double.l.z - 1));
     }
     INFO(worst << " radian; cosines, relative " << cosine);
-    CHECK(worst < 1e-6);           // a dozen roundings
+    CHECK(worst < 1e-6);          // a dozen roundings
     CHECK(cosine < 6e-8 / 1e-3);  // of u.x - p; 1 - u.x is exact
 }
 
@@ -238,21 +256,22 @@ TEST_CASE("rough diffuse sampling from below and of a NaN fails", "[diffuse]") {
     for (const float r : {0.0f, 0.5f, 1.0f})
         for_each_rough(0.7f, r, [&](const std::string& name, const auto& brdf, double) {
             INFO(name);
-            const vec3<float> bad[] = {{0.6f, 0, -0.8f}, {0, 0, -1}, {1, 0, 0}, {1, 0, 1e-30f}, {1, 0, -0.0f}, {nan, nan, nan},
-                                       {0, 0, nan}, {nan, 0, -0.5f}};
+            const vec3<float> bad[] = {{0.6f, 0, -0.8f}, {0, 0, -1},      {1, 0, 0},   {1, 0, 1e-30f},
+                                       {1, 0, -0.0f},    {nan, nan, nan}, {0, 0, nan}, {nan, 0, -0.5f}};
             for (const vec3<float>& v : bad) {
                 const auto s = brdf.sample(v, {0.3f, 0.7f});
                 CHECK((s.pdf == 0 && s.weight == 0 && s.l == vec3<float>{0, 0, 1}));
                 CHECK((brdf.pdf(v, {0.6f, 0, 0.8f}) == 0 && brdf.evaluate({0.6f, 0, 0.8f}, v).pdf == 0));
             }
-            const vec3<float> good[] = {{0, 0, 1}, {1e-25f, 0, 1}, {tiny, -tiny, 1}, {1e-19f, 1e-19f, 1},
-                                        {0, 0, 1.0000001f}, {1, 0, 1e-18f}};
+            const vec3<float> good[] = {{0, 0, 1},           {1e-25f, 0, 1},     {tiny, -tiny, 1},
+                                        {1e-19f, 1e-19f, 1}, {0, 0, 1.0000001f}, {1, 0, 1e-18f}};
             for (const vec3<float>& v : good)
                 for (const float x : {0.0f, 0.1f, 0.3f, 0.9999f}) {
                     const auto s = brdf.sample(v, {x, 0.4f});
                     CHECK((s.pdf > 0 && s.weight > 0 && s.weight < 1 && s.l.z > 0));
                     CHECK(lobe::length(s.l) == Catch::Approx(1).epsilon(1e-6));
-                    for (const vec3<float>& l : {good[0], good[1], good[2], vec3<float>{0.6f, 0, 0.8f}}) CHECK(brdf.pdf(v, l) > 0);
+                    for (const vec3<float>& l : {good[0], good[1], good[2], vec3<float>{0.6f, 0, 0.8f}})
+                        CHECK(brdf.pdf(v, l) > 0);
                 }
         });
 }

@@ -21,8 +21,8 @@ using lobe::vec2;
 using lobe::vec3;
 
 TEST_CASE("albedo and split-sum terms agree with the tables on the whole grid", "[energy]") {
-    // The bars: 2e-5 with 512 evaluations a point (2 x 16 x 16) and 2e-6 with 2048 for the correlated form, half as much
-    // again for the separable one, whose albedo bends more at grazing angles.
+    // The bars: 2e-5 with 512 evaluations a point (2 x 16 x 16) and 2e-6 with 2048 for the correlated form, half as
+    // much again for the separable one, whose albedo bends more at grazing angles.
     struct bar {
         int order;
         double correlated, separable;
@@ -57,7 +57,8 @@ TEST_CASE("the quadrature raises its order until the error is small enough, and 
         CHECK(E.error <= 1e-6);
     }
     const microfacet hc{ggx{alpha{0.3}}, smith_correlated{}, perfect_reflector{}};
-    CHECK(lobe::directional_albedo(hc, 0.5, {.order = 16}).evaluations == 512 + 288 + 128);  // itself, three quarters and half of it, for its error
+    // itself, three quarters and half of it, for its error
+    CHECK(lobe::directional_albedo(hc, 0.5, {.order = 16}).evaluations == 512 + 288 + 128);
 }
 
 TEST_CASE("the same accuracy between the table's points", "[energy]") {
@@ -68,7 +69,8 @@ TEST_CASE("the same accuracy between the table's points", "[energy]") {
     for (int i = 0; i < 300; ++i) {
         const double mu = random.log_between(1e-3, 1), a = random.log_between(1e-3, 1);
         const microfacet one{ggx{alpha{1.0}}, smith_correlated{}, perfect_reflector{}};
-        closed = larger(closed, std::abs(lobe::directional_albedo(one, mu, {.order = 16}).value - (1 - mu * std::log(1 + 1 / mu))));
+        closed = larger(
+            closed, std::abs(lobe::directional_albedo(one, mu, {.order = 16}).value - (1 - mu * std::log(1 + 1 / mu))));
         const auto compare = [&](const auto& masking) {
             const microfacet lobe{ggx{alpha{a}}, masking, perfect_reflector{}};
             const double fine = lobe::directional_albedo(lobe, mu, {.order = 128}).value;
@@ -107,8 +109,10 @@ TEST_CASE("compositions reach the same accuracy through the same function", "[en
                 const lobe::sum nested{rough, lobe::weighted{0.5, lobe::sum{mixture, lobe::lambert{0.4}}}};
                 for (const auto& [order, bar] : {std::pair{16, 3e-5}, std::pair{32, 3e-6}}) {
                     INFO("mu " << mu << " order " << order);
-                    CHECK(std::abs(lobe::directional_albedo(mixture, mu, {.order = order}).value - (0.3 * E(mu, 0.01) + 0.7 * E(mu, 0.5))) < bar);
-                    CHECK(std::abs(lobe::directional_albedo(coated, mu, {.order = order}).value - (E(mu, 0.5) + 0.4)) < bar);
+                    CHECK(std::abs(lobe::directional_albedo(mixture, mu, {.order = order}).value -
+                                   (0.3 * E(mu, 0.01) + 0.7 * E(mu, 0.5))) < bar);
+                    CHECK(std::abs(lobe::directional_albedo(coated, mu, {.order = order}).value - (E(mu, 0.5) + 0.4)) <
+                          bar);
                     CHECK(std::abs(lobe::directional_albedo(nested, mu, {.order = order}).value -
                                    (0.15 * E(mu, 0.01) + 1.35 * E(mu, 0.5) + 0.2)) < 1.5 * bar);
                 }
@@ -134,7 +138,8 @@ TEST_CASE("a view of any azimuth, isotropic or not", "[energy]") {
         // anisotropic against 65536 visible normals: their weights are bounded by 1, the error is of order log(n)/n
         const microfacet aniso{ggx{alpha_xy{a, 0.4}}, smith_correlated{}, perfect_reflector{}};
         double mean = 0;
-        for (std::uint32_t k = 0; k < 65536; ++k) mean += aniso.sample(v, lobe::hammersley<double>(k, 65536)).weight / 65536;
+        for (std::uint32_t k = 0; k < 65536; ++k)
+            mean += aniso.sample(v, lobe::hammersley<double>(k, 65536)).weight / 65536;
         CHECK(std::abs(lobe::directional_albedo(aniso, v).value - mean) < 3e-4);
     }
 }
@@ -143,10 +148,13 @@ TEST_CASE("average albedo agrees with the table", "[energy]") {
     for (const auto& row : reference_table("eavg_ggx.csv")) {
         const alpha a{row[0]};
         INFO("alpha " << row[0]);
-        CHECK(std::abs(lobe::average_albedo(microfacet{ggx{a}, smith_correlated{}, perfect_reflector{}}).value - row[1]) < 1e-6);
-        CHECK(std::abs(lobe::average_albedo(microfacet{ggx{a}, smith_separable{}, perfect_reflector{}}).value - row[4]) < 1e-6);
+        CHECK(std::abs(lobe::average_albedo(microfacet{ggx{a}, smith_correlated{}, perfect_reflector{}}).value -
+                       row[1]) < 1e-6);
+        CHECK(std::abs(lobe::average_albedo(microfacet{ggx{a}, smith_separable{}, perfect_reflector{}}).value -
+                       row[4]) < 1e-6);
         // Schlick's F0 = 0.04 is A F0 + B
-        CHECK(std::abs(lobe::average_albedo(microfacet{ggx{a}, smith_correlated{}, schlick{0.04}}).value - (0.04 * row[2] + row[3])) < 1e-6);
+        CHECK(std::abs(lobe::average_albedo(microfacet{ggx{a}, smith_correlated{}, schlick{0.04}}).value -
+                       (0.04 * row[2] + row[3])) < 1e-6);
     }
     CHECK(lobe::average_albedo(lobe::lambert{0.5}).value == Catch::Approx(0.5));
 }
@@ -155,7 +163,8 @@ TEST_CASE("albedo in float is that of double to float's digits", "[energy]") {
     for (float a : {0.01f, 0.1f, 1.0f})
         for (float mu : {0.01f, 0.5f, 1.0f}) {
             const microfacet in_float{ggx{alpha{a}}, smith_correlated{}, schlick{vec3<float>{0.9f, 0.5f, 0.04f}}};
-            const microfacet in_double{ggx{alpha{static_cast<double>(a)}}, smith_correlated{}, schlick{vec3<double>{0.9f, 0.5f, 0.04f}}};
+            const microfacet in_double{ggx{alpha{static_cast<double>(a)}}, smith_correlated{},
+                                       schlick{vec3<double>{0.9f, 0.5f, 0.04f}}};
             const auto x = lobe::directional_albedo(in_float, mu).value;
             const auto y = lobe::directional_albedo(in_double, static_cast<double>(mu)).value;
             // l rounded to 6e-8 shifts the half vector by 6e-8/mu slopes at most; the shifts are random and average out
@@ -173,7 +182,8 @@ TEST_CASE("the baked table keeps its promise between and beyond its nodes", "[en
                 const double mu = std::pow((i + 0.37) / n, 3), r = 0.03 + 0.97 * (j + 0.41) / n;
                 const auto exact = lobe::dfg_exact(masking, mu, alpha{r * r}, {.order = 32});
                 const auto read = table(static_cast<float>(mu), alpha{static_cast<float>(r * r)});
-                const double E = static_cast<double>(read.albedo()) - exact.albedo(), A = static_cast<double>(read.scale) - exact.scale;
+                const double E = static_cast<double>(read.albedo()) - exact.albedo(),
+                             A = static_cast<double>(read.scale) - exact.scale;
                 E_worst = larger(E_worst, std::abs(E));
                 A_worst = larger(A_worst, std::abs(A));
                 E_square += E * E / (n * n);
@@ -227,13 +237,16 @@ TEST_CASE("fdez_aguera: white furnace, and coloured albedo against the random wa
             const auto black = lobe::fdez_aguera{}(t, 0.04f, 0.0f), metal = lobe::fdez_aguera{}(t, 0.04f);
             CHECK(black.irradiance == metal.irradiance);
         }
-    // F90: the first bounce is the albedo of schlick{F0, F90}; the others are the geometric series, summed here term by term
+    // F90: the first bounce is the albedo of schlick{F0, F90}; the others are the geometric series, summed here term by
+    // term
     for (const double mu : {0.1, 0.7})
         for (const double F90 : {0.0, 0.3, 0.8}) {
             const double F0 = 0.2;
             const auto t = lobe::dfg_exact(smith_correlated{}, mu, alpha{0.6});
             const auto w = lobe::fdez_aguera{F90}(t, F0);
-            CHECK(std::abs(w.radiance - lobe::directional_albedo(lobe::microfacet{ggx{alpha{0.6}}, smith_correlated{}, schlick{F0, F90}}, mu)) < 2e-6);
+            CHECK(std::abs(w.radiance -
+                           lobe::directional_albedo(
+                               lobe::microfacet{ggx{alpha{0.6}}, smith_correlated{}, schlick{F0, F90}}, mu)) < 2e-6);
             const double again = schlick{F0, F90}.average() * (1 - t.albedo());
             double later = 0;
             for (double bounce = w.radiance * again; bounce > 1e-17; bounce *= again) later += bounce;
@@ -248,7 +261,8 @@ TEST_CASE("fdez_aguera: white furnace, and coloured albedo against the random wa
         const double F0[4] = {0.04, 0.2, 0.5, 0.9};
         for (int i = 0; i < 4; ++i) {
             const auto w = lobe::fdez_aguera{}(t, F0[i]);
-            worst[i] = larger(worst[i], std::abs(w.radiance + w.irradiance - row[static_cast<std::size_t>(12 + 4 * i)]));
+            worst[i] =
+                larger(worst[i], std::abs(w.radiance + w.irradiance - row[static_cast<std::size_t>(12 + 4 * i)]));
         }
     }
     INFO(worst[0] << ' ' << worst[1] << ' ' << worst[2] << ' ' << worst[3]);
@@ -256,7 +270,8 @@ TEST_CASE("fdez_aguera: white furnace, and coloured albedo against the random wa
     CHECK(worst[1] < 0.0215);
     CHECK(worst[2] <= 0.042);
     CHECK(worst[3] <= 0.060);
-    // and what the header states for smooth surfaces at grazing angles, mu = alpha: to four standard errors and the last digit
+    // and what the header states for smooth surfaces at grazing angles, mu = alpha: to four standard errors and the
+    // last digit
     random_numbers random(7);
     const double stated[][3] = {{0.01, 0.04, 0.074}, {1e-4, 0.04, 0.099}, {1e-4, 0.2, 0.084}, {1e-4, 0.5, 0.054}};
     for (const auto& [a, F0, darker] : stated) {
@@ -276,7 +291,8 @@ TEST_CASE("fdez_aguera: white furnace, and coloured albedo against the random wa
 }
 
 TEST_CASE("the random walk agrees with every row of the table", "[energy]") {
-    // Four standard errors, of both. (mu, alpha, N, F = 1: total, unfinished, longest, order 1, 2, 3+ with errors; then F0.)
+    // Four standard errors, of both. (mu, alpha, N, F = 1: total, unfinished, longest, order 1, 2, 3+ with errors; then
+    // F0.)
     const int paths = 150000;
     random_numbers random(2);
     double worst = 0;
@@ -304,7 +320,8 @@ TEST_CASE("the random walk agrees with every row of the table", "[energy]") {
         INFO("mu " << row[0] << " alpha " << row[1]);
         CHECK(energy == Catch::Approx(1).epsilon(1e-9));
         for (std::size_t k = 0; k < 3; ++k) {
-            const double p = row[6 + 2 * k], error = std::sqrt(std::max(p * (1 - p), 1.0 / paths) / paths) + row[7 + 2 * k];
+            const double p = row[6 + 2 * k],
+                         error = std::sqrt(std::max(p * (1 - p), 1.0 / paths) / paths) + row[7 + 2 * k];
             worst = larger(worst, std::abs(orders[k] - p) / error);
             CHECK(std::abs(orders[k] - p) < 4 * error);
         }
@@ -333,6 +350,7 @@ TEST_CASE("the random walk's first bounce is smith_correlated", "[energy]") {
         mean += x / paths;
         square += x * x / paths;
     }
-    const auto exact = lobe::hemisphere_integral([&](const vec3<double>& l) { return single.f_cos(v, l) * l.x; }, v, single.width(), true);
+    const auto exact = lobe::hemisphere_integral([&](const vec3<double>& l) { return single.f_cos(v, l) * l.x; }, v,
+                                                 single.width(), true);
     CHECK(std::abs(mean - exact.value) < 4 * std::sqrt((square - mean * mean) / paths));
 }

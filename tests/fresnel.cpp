@@ -39,7 +39,7 @@ long double printed_fresnel(long double eta, long double k, long double c) {
 /// 2 int_0^1 F(u) u du by 64 Gauss points.
 template <class F>
 double average_by_quadrature(const F& f) {
-    static const lobe::detail::gauss_legendre<double> rule(64);
+    static const lobe::gauss_legendre<double> rule(64);
     double sum = 0;
     for (std::size_t i = 0; i < rule.x.size(); ++i) sum += 2 * rule.w[i] * rule.x[i] * f(rule.x[i]);
     return sum;
@@ -73,7 +73,7 @@ TEST_CASE("Walsh's average agrees with every row of the 40-digit table", "[fresn
     INFO("average off by " << worst << ", " << worst_ulp << " ULP; F0 by " << f0 << " ULP");
     CHECK(worst < 1e-15);
     CHECK(worst_ulp <= 12);  // the bracket is 3 times smaller than the largest of its terms, which carry 4 ULP each
-    CHECK(f0 <= 7);  // three roundings of the quotient, doubled by the square, and one of that
+    CHECK(f0 <= 7);          // three roundings of the quotient, doubled by the square, and one of that
 }
 
 TEST_CASE("conductors agree with every row of the 40-digit table", "[fresnel]") {
@@ -81,7 +81,8 @@ TEST_CASE("conductors agree with every row of the 40-digit table", "[fresnel]") 
     for (const auto& row : reference_table("favg_conductor.csv")) {
         const conductor metal{row[1], row[2]};
         average = std::max(average, ulp_error(metal.average(), row[4]));
-        values = std::max({values, ulp_error(metal.F0(), row[3]), ulp_error(metal(0.5), row[5]), ulp_error(metal(0.1), row[6])});
+        values = std::max(
+            {values, ulp_error(metal.F0(), row[3]), ulp_error(metal(0.5), row[5]), ulp_error(metal(0.1), row[6])});
     }
     INFO("average off by " << average << " ULP, values by " << values << " ULP");
     CHECK(average <= 8);
@@ -92,20 +93,24 @@ TEST_CASE("a reflectance is a number in [0,1] in its whole domain, and outside i
     int bad = 0;
     const auto count = [&](const auto& F) {
         for (int i = 0; i <= 200; ++i) {
-            const float c = i < 100 ? std::pow(10.0f, -0.3f * static_cast<float>(i)) : static_cast<float>(i - 100) / 100, R = F(c);
+            const float c = i < 100 ? std::pow(10.0f, -0.3f * static_cast<float>(i))
+                                    : static_cast<float>(i - 100) / 100,
+                        R = F(c);
             bad += !(R >= 0 && R <= 1 + 8 * 6e-8f);
         }
     };
     for (float eta : {1e-3f, 0.1f, 1.0f, 1.5f, 1e4f, 1e9f}) {
         for (float k : {0.0f, 1e-3f, 1.0f, 1e5f, 1e9f}) count(conductor{eta, k});
         count(dielectric{eta});
-        CHECK(conductor{eta, 1e9f}(0.5f) >= 1 - std::max(8 * eta / 1e18f, 4 / (eta + 1)) - 4e-7f);  // a mirror, but where eta is as large
+        // a mirror, but where eta is as large
+        CHECK(conductor{eta, 1e9f}(0.5f) >= 1 - std::max(8 * eta / 1e18f, 4 / (eta + 1)) - 4e-7f);
     }
     count(dielectric{1e18f});
     CHECK(bad == 0);
     const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
     for (const float k : {-0.1f, 1e10f, infinite, nan}) CHECK(aborts([&] { (void)conductor(1.0f, k); }));
-    for (const float eta : {0.0f, -1.0f, 1e-4f, 1e10f, infinite, nan}) CHECK(aborts([&] { (void)conductor(eta, 1.0f); }));
+    for (const float eta : {0.0f, -1.0f, 1e-4f, 1e10f, infinite, nan})
+        CHECK(aborts([&] { (void)conductor(eta, 1.0f); }));
     for (const float eta : {0.0f, -1.0f, nan}) CHECK(aborts([&] { (void)dielectric(eta); }));
 }
 
@@ -113,10 +118,13 @@ TEST_CASE("dielectric and conductor are the complex equations", "[fresnel]") {
     random_numbers random(1);
     double insulators = 0, metals = 0;
     for (int i = 0; i < 100000; ++i) {
-        const double eta = random.log_between(0.4, 10), k = random.log_between(0.5, 10), c = random.log_between(1e-8, 1);
-        // the printed form is itself off by 1e-19 over cos_t, which vanishes at the critical angle: stay 1e-6 away from it
+        const double eta = random.log_between(0.4, 10), k = random.log_between(0.5, 10),
+                     c = random.log_between(1e-8, 1);
+        // the printed form is itself off by 1e-19 over cos_t, which vanishes at the critical angle: stay 1e-6 away from
+        // it
         if (std::abs(eta * eta - (1 - c) * (1 + c)) > 1e-6)
-            insulators = std::max(insulators, std::abs(dielectric{eta}(c) - static_cast<double>(printed_fresnel(eta, 0, c))));
+            insulators =
+                std::max(insulators, std::abs(dielectric{eta}(c) - static_cast<double>(printed_fresnel(eta, 0, c))));
         metals = std::max(metals, std::abs(conductor{eta, k}(c) - static_cast<double>(printed_fresnel(eta, k, c))));
     }
     INFO("dielectric off by " << insulators << ", conductor by " << metals);
@@ -128,9 +136,12 @@ TEST_CASE("the errors that the Fresnel headers state, in float, eta an input", "
     random_numbers random(12);
     double insulators = 0, inside = 0, metals = 0, weak = 0;
     for (int i = 0; i < 600000; ++i) {
-        // near eta = 1 and near the normal Rs is all there is, and its square doubles what it rounds: half of the indices and cosines are there
+        // near eta = 1 and near the normal Rs is all there is, and its square doubles what it rounds: half of the
+        // indices and cosines are there
         const float eta = static_cast<float>(i % 2 ? random.between(1, 10) : 1 + random.log_between(1e-7, 9));
-        const float c = static_cast<float>(i % 4 < 2 ? 1 - random.log_between(1e-7, 1) : i % 8 < 4 ? random() : random.log_between(1e-6, 1));
+        const float c = static_cast<float>(i % 4 < 2   ? 1 - random.log_between(1e-7, 1)
+                                           : i % 8 < 4 ? random()
+                                                       : random.log_between(1e-6, 1));
         if (eta > 1 && eta <= 10 && c > 0)
             insulators = std::max(insulators, ulp_error(dielectric{eta}(c), printed_fresnel(eta, 0, c)));
         // from inside, half of the cosines just beyond the critical one: 12 ULP, and 1.5 times the inputs' own
@@ -142,7 +153,8 @@ TEST_CASE("the errors that the Fresnel headers state, in float, eta an input", "
         for (const float n : {0.0f, 1.0f})
             for (const float to : {0.0f, 2.0f}) {
                 const float moved = std::min(1.0f, std::nextafter(beyond, to));
-                change = std::max(change, ulp_error(static_cast<double>(printed_fresnel(std::nextafter(less, n), 0, moved)), F));
+                change = std::max(
+                    change, ulp_error(static_cast<double>(printed_fresnel(std::nextafter(less, n), 0, moved)), F));
             }
         change *= 0x1p-29;  // from places of double to places of float
         inside = std::max(inside, ulp_error(dielectric{less}(beyond), F) / (12 + 1.5 * change));
@@ -154,14 +166,20 @@ TEST_CASE("the errors that the Fresnel headers state, in float, eta an input", "
         const float little = static_cast<float>(random.log_between(1e-6, 0.5));
         if (eta <= 10) weak = std::max(weak, ulp_error(conductor{eta, little}(c), printed_fresnel(eta, little, c)));
     }
-    INFO("dielectric " << insulators << ", from inside " << inside << ", metals " << metals << ", weak absorbers " << weak);
+    INFO("dielectric " << insulators << ", from inside " << inside << ", metals " << metals << ", weak absorbers "
+                       << weak);
     CHECK(insulators <= 12);
     CHECK(inside <= 1);
     CHECK(metals <= 9);
     CHECK(weak <= 12);
-    // found by climbing: the worst of this form, 11, and those of e = (eta - 1)(eta + 1) over e + 2 c (g + c), 12.2 to 13.9
-    for (const auto& [eta, c] : {std::pair{1.00015032f, 0.367648154f}, {1.00195205f, 0.999720693f}, {1.00026119f, 0.250201076f},
-                                 {1.06434262f, 0.98552978f}, {1.01556456f, 0.99698019f}, {1.09120262f, 0.985587358f}})
+    // found by climbing: the worst of this form, 11, and those of e = (eta - 1)(eta + 1) over e + 2 c (g + c), 12.2 to
+    // 13.9
+    for (const auto& [eta, c] : {std::pair{1.00015032f, 0.367648154f},
+                                 {1.00195205f, 0.999720693f},
+                                 {1.00026119f, 0.250201076f},
+                                 {1.06434262f, 0.98552978f},
+                                 {1.01556456f, 0.99698019f},
+                                 {1.09120262f, 0.985587358f}})
         CHECK(ulp_error(dielectric{eta}(c), printed_fresnel(eta, 0, c)) <= 12);
     // for eta < 1 the critical angle, as k nears 0
     const double stated[][2] = {{0.1, 14}, {0.01, 80}, {0.001, 300}};
@@ -169,7 +187,8 @@ TEST_CASE("the errors that the Fresnel headers state, in float, eta an input", "
         double worst = 0;
         for (int i = 0; i < 50000; ++i) {
             const float eta = static_cast<float>(random.between(0.3, 1)), extinction = static_cast<float>(k);
-            const float spread = static_cast<float>(random.between(-4, 4) * k), critical = std::sqrt((1 - eta) * (1 + eta));
+            const float spread = static_cast<float>(random.between(-4, 4) * k),
+                        critical = std::sqrt((1 - eta) * (1 + eta));
             const float c = std::clamp(critical + spread, 1e-3f, 1.0f);
             worst = std::max(worst, ulp_error(conductor{eta, extinction}(c), printed_fresnel(eta, extinction, c)));
         }
@@ -180,7 +199,8 @@ TEST_CASE("the errors that the Fresnel headers state, in float, eta an input", "
     double normal = 0;
     for (int i = 0; i < 4000; ++i) {
         const float eta = static_cast<float>(random.log_between(1e-3, 0.3));
-        normal = std::max(normal, static_cast<double>(eta * std::abs(dielectric{eta}(1.0f) / printed_fresnel(eta, 0, 1) - 1)));
+        normal = std::max(normal,
+                          static_cast<double>(eta * std::abs(dielectric{eta}(1.0f) / printed_fresnel(eta, 0, 1) - 1)));
     }
     CHECK(normal <= 6 * 0x1p-24);
 }
@@ -198,11 +218,13 @@ TEST_CASE("a conductor at k = 0 is a dielectric, total internal reflection inclu
     INFO(worst << "; total reflections " << total);
     CHECK(worst <= 24);  // 12 ULP each
     CHECK(total > 10000);
-    for (double eta : {0.5, 1.0, 1.5}) CHECK(conductor{eta, 0.0}(0.0) == Catch::Approx(dielectric{eta}(0.0)).epsilon(4 * epsilon));
+    for (double eta : {0.5, 1.0, 1.5})
+        CHECK(conductor{eta, 0.0}(0.0) == Catch::Approx(dielectric{eta}(0.0)).epsilon(4 * epsilon));
     for (double eta : {1.02, 1.5, 4.0})
         CHECK(conductor{eta, 0.0}.average() == Catch::Approx(dielectric{eta}.average()).epsilon(28 * epsilon));
     // the kink at the critical angle: what the header states
-    CHECK(std::abs(conductor{0.6575, 0.0}.average() - dielectric{0.6575}.average()) == Catch::Approx(0.018).margin(0.001));
+    CHECK(std::abs(conductor{0.6575, 0.0}.average() - dielectric{0.6575}.average()) ==
+          Catch::Approx(0.018).margin(0.001));
 }
 
 TEST_CASE("reflectance is the same from both sides of the interface", "[fresnel]") {
@@ -212,8 +234,9 @@ TEST_CASE("reflectance is the same from both sides of the interface", "[fresnel]
         const double eta = random.log_between(1, 10), c = random.log_between(1e-4, 1);
         const double g2 = (eta - 1) * (eta + 1) + c * c, c_t = std::sqrt(g2) / eta;
         const double F = dielectric{eta}(c), back = dielectric{1 / eta}(c_t);
-        // From inside g = c/eta, and g^2 = c_t^2 + (1/eta - 1)(1/eta + 1) rounds by 11 epsilon in all: c_t by 3 and twice that in its
-        // square, 1/eta by 2, the rest 3. So g is off by 11/2 (eta/c)^2, relatively, and 1 - F by no more. Both F's carry 12 ULP.
+        // From inside g = c/eta, and g^2 = c_t^2 + (1/eta - 1)(1/eta + 1) rounds by 11 epsilon in all: c_t by 3 and
+        // twice that in its square, 1/eta by 2, the rest 3. So g is off by 11/2 (eta/c)^2, relatively, and 1 - F by no
+        // more. Both F's carry 12 ULP.
         worst = std::max(worst, std::abs(F - back) / (epsilon * (24 + 5.5 * (1 - F) * eta * eta / (c * c))));
     }
     INFO(worst);
@@ -232,7 +255,8 @@ TEST_CASE("the limits of the dielectric", "[fresnel]") {
     CHECK(dielectric{1e-150}.average() == Catch::Approx(1));
     CHECK(dielectric{1e-320}.average() == 1);  // 1/eta is infinite
     CHECK(conductor{1.0, 0.0}(0.0) == 1);
-    CHECK(conductor{0.5, 0.0}(std::sqrt(0.75)) == Catch::Approx(1).epsilon(1e-7));  // at the critical angle: 4 sqrt(1e-16)
+    // at the critical angle: 4 sqrt(1e-16)
+    CHECK(conductor{0.5, 0.0}(std::sqrt(0.75)) == Catch::Approx(1).epsilon(1e-7));
     const double brewster = std::cos(std::atan(1.5));  // Rp = 0, and Rs = ((n^2 - 1)/(n^2 + 1))^2
     CHECK(dielectric{1.5}(brewster) == Catch::Approx(std::pow((2.25 - 1) / (2.25 + 1), 2) / 2).epsilon(1e-14));
     // near 1 the average is d/3 + d^2 (ln(d/2)/2 + 19/24) + O(d^3 ln d)
@@ -243,7 +267,8 @@ TEST_CASE("the limits of the dielectric", "[fresnel]") {
 }
 
 TEST_CASE("the averages are the integrals of the reflectances", "[fresnel]") {
-    // 64 points: the nearest singularities are at u = +-i sqrt(eta^2 - 1), which makes the rule's error below 1e-16 for eta >= 1.02
+    // 64 points: the nearest singularities are at u = +-i sqrt(eta^2 - 1), which makes the rule's error below 1e-16 for
+    // eta >= 1.02
     for (double eta : {1.02, 1.1, 1.33, 1.5, 2.42, 10.0})
         CHECK(std::abs(dielectric{eta}.average() - average_by_quadrature(dielectric{eta})) < 8 * epsilon);
     // from inside: 1 up to the critical cosine, and u du = g dg beyond it, with g from 0 to eta
@@ -288,7 +313,8 @@ TEST_CASE("how far Schlick's approximation is from Fresnel's equations", "[fresn
     CHECK(rounds_to(off(conductor{0.965, 6.4}).size, 0.093));
     CHECK(rounds_to(off(conductor{2.95, 2.932}).size, 0.176));
     // averages: up to 0.0445 for a dielectric (largest towards eta = 1, where it is 1/21 = 0.0476)
-    CHECK(schlick{lobe::f0_from_ior(1.01)}.average() - dielectric{1.01}.average() == Catch::Approx(0.0445).margin(5e-5));
+    CHECK(schlick{lobe::f0_from_ior(1.01)}.average() - dielectric{1.01}.average() ==
+          Catch::Approx(0.0445).margin(5e-5));
 }
 
 TEST_CASE("Schlick's approximation as a spherical Gaussian", "[fresnel]") {
@@ -351,7 +377,7 @@ TEST_CASE("F82-tint has its tint at 82 degrees, and Schlick at t = 1", "[fresnel
 TEST_CASE("where F82-tint is clamped, and what that does to its average", "[fresnel]") {
     const auto unclamped = [](double f0, double t, double u) {
         const double b = schlick{f0}(1 / 7.0) * (1 - t) * std::pow(7.0, 7) / std::pow(6.0, 6);
-        return schlick{f0}(u) - b * u * std::pow(1 - u, 6);
+        return schlick{f0}(u)-b * u * std::pow(1 - u, 6);
     };
     const auto lowest = [&](double f0, double t) {
         double low = 1;
@@ -377,8 +403,10 @@ TEST_CASE("where F82-tint is clamped, and what that does to its average", "[fres
             closed = std::max(closed, std::abs(std::max(integral, 0.0) - f.average()));
             average = std::max(average, integral + below - f.average());
         }
-    INFO("clamped " << clamped << ", lowest " << bottom << ", tints up to " << largest_tint << ", average too small by " << average);
-    CHECK(clamped == Catch::Approx(0.076).margin(0.002));  // cells on the border: 100 or so of 10000, half of them each way
+    INFO("clamped " << clamped << ", lowest " << bottom << ", tints up to " << largest_tint << ", average too small by "
+                    << average);
+    // cells on the border: 100 or so of 10000, half of them each way
+    CHECK(clamped == Catch::Approx(0.076).margin(0.002));
     CHECK(bottom == Catch::Approx(-0.127).margin(0.0005));
     CHECK(largest_tint == Catch::Approx(0.51));  // at F0 = 0 the clamp acts where b > 4, t < 0.5102
     CHECK(average == Catch::Approx(0.0164).margin(1e-4));
@@ -399,7 +427,8 @@ TEST_CASE("index of refraction to F0 and back", "[fresnel]") {
         there = std::max(there, std::abs(lobe::ior_from_f0(lobe::f0_from_ior(eta)) / eta - 1) / (1 + eta));
         back = std::max(back, std::abs(lobe::f0_from_ior(lobe::ior_from_f0(f0)) - f0) / std::sqrt(f0));
     }
-    // F0 rounded to epsilon is sqrt(F0) to epsilon/2, and 1 - sqrt(F0) = 2/(eta + 1) to (eta + 1)/4 of epsilon: 4 roundings of it
+    // F0 rounded to epsilon is sqrt(F0) to epsilon/2, and 1 - sqrt(F0) = 2/(eta + 1) to (eta + 1)/4 of epsilon: 4
+    // roundings of it
     INFO(there / epsilon << ' ' << back / epsilon);
     CHECK(there < 4 * epsilon);
     CHECK(back < 8 * epsilon);
@@ -465,7 +494,8 @@ TEST_CASE("a spectrum is its components", "[fresnel]") {
     CHECK(lobe::fit_f82_tint(lobe::materials::gold<double>()).F0() == lobe::materials::gold<double>().F0());
 }
 
-TEST_CASE("every Fresnel reflectance composes with a microfacet BRDF, and takes no more room than its numbers", "[fresnel]") {
+TEST_CASE("every Fresnel reflectance composes with a microfacet BRDF, and takes no more room than its numbers",
+          "[fresnel]") {
     const lobe::ggx ndf{lobe::alpha{0.3f}};
     const vec3<float> v{0.6f, 0, 0.8f}, l{0, 0.8f, 0.6f}, f0{0.9f, 0.5f, 0.04f};
     const auto red = [&](const auto& fresnel) {
@@ -480,7 +510,8 @@ TEST_CASE("every Fresnel reflectance composes with a microfacet BRDF, and takes 
     CHECK(red(lobe::materials::iron<float>()).z == Catch::Approx(D * conductor{2.59f, 2.77f}(u)).epsilon(1e-6));
     static_assert(sizeof(lobe::microfacet{ndf, lobe::smith_correlated{}, schlick{f0}}) == 16);
     static_assert(sizeof(dielectric{1.5f}) == 4 && sizeof(conductor{f0, f0}) == 24 && sizeof(f82_tint{f0, f0}) == 24);
-    static_assert(!std::is_invocable_v<dielectric<float>, double> && !std::is_invocable_v<conductor<vec3<double>>, float>);
+    static_assert(!std::is_invocable_v<dielectric<float>, double> &&
+                  !std::is_invocable_v<conductor<vec3<double>>, float>);
 }
 
 namespace {
@@ -494,7 +525,8 @@ void compare_packs(const F& wide, const G& one) {
     for (int trial = 0; trial < 1000; ++trial) {
         for (float& u : in) u = static_cast<float>(trial % 2 ? random() : random.log_between(1e-6, 1));
         const pack out = wide(pack::load_unaligned(in));
-        for (std::size_t i = 0; i < pack::size; ++i) worst = std::max(worst, std::abs(static_cast<double>(out.get(i) - one(in[i]))));
+        for (std::size_t i = 0; i < pack::size; ++i)
+            worst = std::max(worst, std::abs(static_cast<double>(out.get(i) - one(in[i]))));
     }
     CHECK(worst < 8 * 6e-8);
     CHECK(std::abs(wide.average().get(0) - one.average()) < 8 * 6e-8f);

@@ -20,7 +20,7 @@ namespace {
 /// r (wx cos phi, wy sin phi), r = tan(chi). Nodes and sums in double; g gets m in T.
 template <class T, class G>
 double normals_integral(const G& g, double wx, double wy) {
-    const lobe::detail::gauss_legendre<double> rule(64);
+    const lobe::gauss_legendre<double> rule(64);
     double total = 0;
     const int azimuths = 64;
     for (int k = 0; k < azimuths; ++k) {
@@ -28,8 +28,10 @@ double normals_integral(const G& g, double wx, double wy) {
         for (std::size_t i = 0; i < rule.x.size(); ++i) {
             const double chi = rule.x[i] * 1.5707963267948966, r = std::tan(chi);
             const double x = r * wx * c, y = r * wy * s, z = 1 / std::sqrt(1 + x * x + y * y);
-            const double dm = wx * wy * r * (1 + r * r) * z * z * z * rule.w[i] * 1.5707963267948966 * 6.283185307179586 / azimuths;
-            total += dm * static_cast<double>(g(vec3<T>{static_cast<T>(x * z), static_cast<T>(y * z), static_cast<T>(z)}));
+            const double dm =
+                wx * wy * r * (1 + r * r) * z * z * z * rule.w[i] * 1.5707963267948966 * 6.283185307179586 / azimuths;
+            total +=
+                dm * static_cast<double>(g(vec3<T>{static_cast<T>(x * z), static_cast<T>(y * z), static_cast<T>(z)}));
         }
     }
     return total;
@@ -44,7 +46,8 @@ TEST_CASE("D agrees with the 50-digit tables at the extremes", "[ggx]") {
         const vec3<double> m{s, 0, std::sqrt((1 - s) * (1 + s))};
         isotropic = larger(isotropic, ulp_error(ggx{alpha{a}}.D(m), row[2]));
         anisotropic = larger(anisotropic, ulp_error(ggx{alpha_xy{a, a}}.D(m), row[2]));
-        // float: the same inputs rounded, so the error is conditioned by that rounding; 1e-6 bounds it in float's digits
+        // float: the same inputs rounded, so the error is conditioned by that rounding; 1e-6 bounds it in float's
+        // digits
         const double in_float = static_cast<double>(ggx{alpha{static_cast<float>(a)}}.D(vec3<float>(m)));
         float_isotropic = larger(float_isotropic, std::abs(in_float / row[2] - 1));
     }
@@ -53,14 +56,16 @@ TEST_CASE("D agrees with the 50-digit tables at the extremes", "[ggx]") {
         // cos and sin of whole degrees in long double, as the table's are exact
         const long double phi = static_cast<long double>(row[3]) * 3.14159265358979323846264338L / 180;
         const bool right = row[3] == 90;
-        const vec3<double> m{static_cast<double>(s * (right ? 0 : std::cos(phi))), static_cast<double>(s * std::sin(phi)),
-                             std::sqrt((1 - s) * (1 + s))};
+        const vec3<double> m{static_cast<double>(s * (right ? 0 : std::cos(phi))),
+                             static_cast<double>(s * std::sin(phi)), std::sqrt((1 - s) * (1 + s))};
         const ggx distribution{alpha_xy{row[0], row[1]}};
         anisotropic = larger(anisotropic, ulp_error(distribution.D(m), row[4]));
         const ggx in_float{alpha_xy{static_cast<float>(row[0]), static_cast<float>(row[1])}};
-        float_anisotropic = larger(float_anisotropic, std::abs(static_cast<double>(in_float.D(vec3<float>(m))) / row[4] - 1));
+        float_anisotropic =
+            larger(float_anisotropic, std::abs(static_cast<double>(in_float.D(vec3<float>(m))) / row[4] - 1));
     }
-    INFO(isotropic << " ULP, anisotropic " << anisotropic << " ULP; relative in float " << float_isotropic << ", " << float_anisotropic);
+    INFO(isotropic << " ULP, anisotropic " << anisotropic << " ULP; relative in float " << float_isotropic << ", "
+                   << float_anisotropic);
     CHECK(isotropic <= 6);
     CHECK(anisotropic <= 12);
     CHECK(float_isotropic < 16 * 6e-8);
@@ -79,13 +84,16 @@ TEST_CASE("D takes any positive multiple of m and is zero below the horizon", "[
         CHECK(narrow.D(-m) == 0);
         CHECK(aniso.D(-m) == 0);
     }
-    CHECK(ggx{alpha{0.1}}.D(vec3<double>{1, 0, 0}) == Catch::Approx(0.01 / 3.14159265358979));    // the limit at the horizon
-    CHECK(ggx{alpha{1.0}}.D(vec3<double>{0.6, 0, 0.8}) == Catch::Approx(1 / 3.14159265358979));  // the whole hemisphere alike
-    CHECK(ggx{alpha{0.5}}.D(vec3<double>{0, 0, 1}) == Catch::Approx(4 / 3.14159265358979));      // 1/(pi alpha^2)
+    // the limit at the horizon
+    CHECK(ggx{alpha{0.1}}.D(vec3<double>{1, 0, 0}) == Catch::Approx(0.01 / 3.14159265358979));
+    // the whole hemisphere alike
+    CHECK(ggx{alpha{1.0}}.D(vec3<double>{0.6, 0, 0.8}) == Catch::Approx(1 / 3.14159265358979));
+    CHECK(ggx{alpha{0.5}}.D(vec3<double>{0, 0, 1}) == Catch::Approx(4 / 3.14159265358979));  // 1/(pi alpha^2)
 }
 
 TEST_CASE("D is normalised: int D cos = 1, in float at alpha 1e-4 too", "[ggx]") {
-    // Quadrature: exact to 1e-12 for GGX (the integrand is sin 2 chi). In float the error is the rounding of D, below 1e-6.
+    // Quadrature: exact to 1e-12 for GGX (the integrand is sin 2 chi). In float the error is the rounding of D, below
+    // 1e-6.
     for (const double a : {1e-4, 1e-3, 0.01, 0.1, 0.5, 1.0}) {
         const auto cosine_weighted = [](const auto& ndf) { return [&](const auto& m) { return ndf.D(m) * m.z; }; };
         const ggx in_double{alpha{a}};
@@ -97,7 +105,8 @@ TEST_CASE("D is normalised: int D cos = 1, in float at alpha 1e-4 too", "[ggx]")
         CHECK(std::abs(normals_integral<double>(cosine_weighted(aniso), a, 0.3) - 1) < 1e-12);
         const double wide = static_cast<double>(static_cast<float>(a));
         CHECK(std::abs(normals_integral<float>(cosine_weighted(in_float), wide, wide) - 1) < 1e-6);
-        CHECK(std::abs(normals_integral<float>(cosine_weighted(aniso_float), wide, static_cast<double>(0.3f)) - 1) < 1e-6);
+        CHECK(std::abs(normals_integral<float>(cosine_weighted(aniso_float), wide, static_cast<double>(0.3f)) - 1) <
+              1e-6);
     }
     // The test can see: the textbook's float form, with 1 - cos^2 in it, is off by far more.
     const auto textbook = [](const vec3<float>& m) {
@@ -112,14 +121,15 @@ TEST_CASE("projected_area is the area of the facets that face w", "[ggx]") {
     // sign of w.m changes at a circle-free line, so integrate each azimuth exactly up to it.
     const auto by_definition = [](double ax, double ay, const vec3<double>& w) {
         const ggx ndf{alpha_xy{ax, ay}};
-        const lobe::detail::gauss_legendre<double> rule(48);
+        const lobe::gauss_legendre<double> rule(48);
         double total = 0;
         const double px = ax * w.x, py = ay * w.y, p = std::hypot(px, py);
         for (int quarter = 0; quarter < 4; ++quarter)
             for (std::size_t k = 0; k < rule.x.size(); ++k) {
                 // crowd towards the azimuths where the visible radius changes between finite and infinite
                 const double x = rule.x[k], delta = 1.5707963267948966 * x * x * x;
-                const double along = quarter % 2 ? -std::sin(delta) : std::sin(delta), across = quarter / 2 ? -std::cos(delta) : std::cos(delta);
+                const double along = quarter % 2 ? -std::sin(delta) : std::sin(delta),
+                             across = quarter / 2 ? -std::cos(delta) : std::cos(delta);
                 const double dx = ax * (along * px - across * py) / p, dy = ay * (along * py + across * px) / p;
                 const double slope = dx * w.x + dy * w.y;  // w.m = z (w.z + r slope), m = (r dx, r dy, 1) z
                 double low = 0, high = 1.5707963267948966;
@@ -129,8 +139,8 @@ TEST_CASE("projected_area is the area of the facets that face w", "[ggx]") {
                     const double chi = low + (high - low) * rule.x[i], r = std::tan(chi);
                     const double z = 1 / std::sqrt(1 + r * r * (dx * dx + dy * dy));
                     const double w_m = z * (w.z + r * slope);
-                    total += w_m * ndf.D({r * dx * z, r * dy * z, z}) * ax * ay * r * (1 + r * r) * z * z * z * rule.w[i] * (high - low) *
-                             rule.w[k] * 1.5 * 3.141592653589793 * x * x;
+                    total += w_m * ndf.D({r * dx * z, r * dy * z, z}) * ax * ay * r * (1 + r * r) * z * z * z *
+                             rule.w[i] * (high - low) * rule.w[k] * 1.5 * 3.141592653589793 * x * x;
                 }
             }
         return total;
@@ -169,9 +179,10 @@ TEST_CASE("Lambda agrees with the 60-digit table, and with the projected area", 
 }
 
 TEST_CASE("projected area, Lambda and visibility round as stated, over a million views", "[ggx]") {
-    // In units of 2^-24, which are at most an ULP: a x is off by 1, its square by 3, q by 4, the sum with z^2 by 5, the root by 3.5; the
-    // rounding of S + z is half an ULP: 4. Below the horizon, in q/(S - z), half of what q is off cancels where S is off with it; were all
-    // roundings at their worst at once, 6.5 would be left, and 5 is what is stated.
+    // In units of 2^-24, which are at most an ULP: a x is off by 1, its square by 3, q by 4, the sum with z^2 by 5, the
+    // root by 3.5; the rounding of S + z is half an ULP: 4. Below the horizon, in q/(S - z), half of what q is off
+    // cancels where S is off with it; were all roundings at their worst at once, 6.5 would be left, and 5 is what is
+    // stated.
     random_numbers random(4);
     double above = 0, below = 0, lambda = 0, visibility = 0;
     for (int i = 0; i < 1000000; ++i) {
@@ -184,8 +195,8 @@ TEST_CASE("projected area, Lambda and visibility round as stated, over a million
         above = larger(above, ulp_error(ndf.projected_area_above(v), exact.projected_area(V)));
         below = larger(below, ulp_error(ndf.projected_area(-v), exact.projected_area(-V)));
         lambda = larger(lambda, ulp_error(ndf.lambda(v), exact.lambda(V)));
-        visibility =
-            larger(visibility, ulp_error(lobe::smith_correlated{}.visibility(ndf, v, l), lobe::smith_correlated{}.visibility(exact, V, L)));
+        visibility = larger(visibility, ulp_error(lobe::smith_correlated{}.visibility(ndf, v, l),
+                                                  lobe::smith_correlated{}.visibility(exact, V, L)));
     }
     INFO("area " << above << ", below the horizon " << below << ", Lambda " << lambda << ", visibility " << visibility);
     CHECK(above <= 4);
@@ -207,10 +218,12 @@ TEST_CASE("sampled normals follow the inverse CDF continuously, in float at alph
         angles.insert(std::hypot(m.x, m.y));
         const float cosine = std::sqrt((1 - u.x) / (1 + (1e-8f - 1) * u.x));
         textbook_angles.insert(std::sqrt(1 - cosine * cosine));
-        const double exact = std::atan(static_cast<double>(1e-4f) * std::sqrt(static_cast<double>(u.x) / (1 - static_cast<double>(u.x))));
+        const double exact = std::atan(static_cast<double>(1e-4f) *
+                                       std::sqrt(static_cast<double>(u.x) / (1 - static_cast<double>(u.x))));
         worst_angle =
-            larger(worst_angle,
-                   std::abs(std::atan2(std::hypot(static_cast<double>(m.x), static_cast<double>(m.y)), static_cast<double>(m.z)) - exact));
+            larger(worst_angle, std::abs(std::atan2(std::hypot(static_cast<double>(m.x), static_cast<double>(m.y)),
+                                                    static_cast<double>(m.z)) -
+                                         exact));
     }
     CHECK(static_cast<double>(angles.size()) > 0.95 * n);
     CHECK(textbook_angles.size() < 1000);
@@ -221,15 +234,20 @@ TEST_CASE("sampled normals follow the inverse CDF continuously, in float at alph
     const int samples = 1000000;
     cdf.reserve(samples);
     for (int i = 0; i < samples; ++i) {
-        const vec3<float> m = ndf.sample({static_cast<float>(random() * 0.99999997), static_cast<float>(random() * 0.99999997)});
-        const double tan2 = (static_cast<double>(m.x) * static_cast<double>(m.x) + static_cast<double>(m.y) * static_cast<double>(m.y)) / (static_cast<double>(m.z) * static_cast<double>(m.z));
-        cdf.push_back(tan2 / (tan2 + static_cast<double>(1e-4f) * static_cast<double>(1e-4f)));  // int D cos up to this angle
+        const vec3<float> m =
+            ndf.sample({static_cast<float>(random() * 0.99999997), static_cast<float>(random() * 0.99999997)});
+        const double tan2 = (static_cast<double>(m.x) * static_cast<double>(m.x) +
+                             static_cast<double>(m.y) * static_cast<double>(m.y)) /
+                            (static_cast<double>(m.z) * static_cast<double>(m.z));
+        // int D cos up to this angle
+        cdf.push_back(tan2 / (tan2 + static_cast<double>(1e-4f) * static_cast<double>(1e-4f)));
     }
     std::sort(cdf.begin(), cdf.end());
     double distance = 0;
     for (int i = 0; i < samples; ++i) {
         const double F = cdf[static_cast<std::size_t>(i)];
-        distance = larger({distance, std::abs(F - static_cast<double>(i) / samples), std::abs(F - (i + 1.0) / samples)});
+        distance =
+            larger({distance, std::abs(F - static_cast<double>(i) / samples), std::abs(F - (i + 1.0) / samples)});
     }
     CHECK(distance * std::sqrt(samples) < 1.95);
 }
@@ -261,9 +279,11 @@ TEST_CASE("samplers have the density they state", "[ggx]") {
     for (int i = 0; i < 40; ++i) {
         const double ax = random.log_between(0.001, 1), ay = i % 2 ? ax : random.log_between(0.001, 1);
         const ggx ndf{alpha_xy{ax, ay}};
-        const vec3<double> v = i % 3 == 2 ? random.direction() : random.grazing_direction(1e-3);  // also from below the horizon
+        // also from below the horizon
+        const vec3<double> v = i % 3 == 2 ? random.direction() : random.grazing_direction(1e-3);
         INFO(ax << ' ' << ay << " v " << v.x << ' ' << v.y << ' ' << v.z);
-        CHECK(jacobian_error([&](vec2<double> u) { return ndf.sample(u); }, [&](vec3<double> m) { return ndf.pdf(m); }, 11) < 1e-6);
+        CHECK(jacobian_error([&](vec2<double> u) { return ndf.sample(u); }, [&](vec3<double> m) { return ndf.pdf(m); },
+                             11) < 1e-6);
         if (v.z > -0.9)
             CHECK(jacobian_error([&](vec2<double> u) { return ndf.sample_visible(v, u); },
                                  [&](vec3<double> m) { return ndf.pdf_visible(v, m); }, 12) < 1e-6);
@@ -271,21 +291,26 @@ TEST_CASE("samplers have the density they state", "[ggx]") {
 }
 
 TEST_CASE("visible normals in float stand where those of double do", "[ggx]") {
-    // The same v and u in both. Small u, where sqrt(1 - z^2) of the cap is off by up to 17 times, and views from below the
-    // horizon are included. The map is ill-conditioned where the cap closes, so a quantile and a bound on the worst.
+    // The same v and u in both. Small u, where sqrt(1 - z^2) of the cap is off by up to 17 times, and views from below
+    // the horizon are included. The map is ill-conditioned where the cap closes, so a quantile and a bound on the
+    // worst.
     random_numbers random(9);
     std::vector<double> errors;
     double worst_area_below = 0;
     for (int i = 0; i < 200000; ++i) {
         const float a = static_cast<float>(i % 4 ? 1e-4 : random.log_between(1e-4, 1));
         const vec3<float> v = i % 8 == 7 ? random.direction<float>() : random.grazing_direction<float>(1e-4);
-        const vec2<float> u{static_cast<float>(i % 2 ? random.log_between(1e-7, 0.5) : random() * 0.9999), static_cast<float>(random() * 0.9999)};
+        const vec2<float> u{static_cast<float>(i % 2 ? random.log_between(1e-7, 0.5) : random() * 0.9999),
+                            static_cast<float>(random() * 0.9999)};
         const ggx in_float{alpha{a}};
         const ggx in_double{alpha{static_cast<double>(a)}};
         const vec3<double> exact = in_double.sample_visible(vec3<double>(v), vec2<double>(u));
-        errors.push_back(lobe::length(lobe::cross(vec3<double>(in_float.sample_visible(v, u)), exact)));  // sine of the angle
+        // sine of the angle
+        errors.push_back(lobe::length(lobe::cross(vec3<double>(in_float.sample_visible(v, u)), exact)));
         const double area = in_double.projected_area(-vec3<double>(v));
-        if (v.z > 0.5f) worst_area_below = larger(worst_area_below, std::abs(static_cast<double>(in_float.projected_area(-v)) / area - 1));
+        if (v.z > 0.5f)
+            worst_area_below =
+                larger(worst_area_below, std::abs(static_cast<double>(in_float.projected_area(-v)) / area - 1));
     }
     std::sort(errors.begin(), errors.end());
     INFO("99.9 %: " << errors[errors.size() * 999 / 1000] << ", worst " << errors.back());

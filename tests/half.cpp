@@ -19,9 +19,10 @@ namespace binary16 {
 
 enum class subnormals { kept, flushed };
 
-/// x to the nearest of binary16, ties to even: 11 bits, down to steps of 2^-24, infinite from 65520 on. Flushed: 0 below 2^-14. Sums and
-/// products of two halves are exact in double (53 bits), and quotients cannot fall on a tie unless they are one (53 >= 2 11 + 2, Figueroa
-/// 1995), so to compute in double and round once more is correct rounding.
+/// x to the nearest of binary16, ties to even: 11 bits, down to steps of 2^-24, infinite from 65520 on. Flushed: 0
+/// below 2^-14. Sums and products of two halves are exact in double (53 bits), and quotients cannot fall on a tie
+/// unless they are one (53 >= 2 11 + 2, Figueroa 1995), so to compute in double and round once more is correct
+/// rounding.
 inline double rounded(double x, subnormals mode) {
     if (!std::isfinite(x) || x == 0) return x;
     int exponent = 0;
@@ -120,9 +121,9 @@ struct sweep_error {
     double worst = 0, mean = 0, same_inputs = 0, alpha_at_worst = 0, theta_at_worst = 0;
 };
 
-/// Relative errors of D over alpha (rounded to half, so that it is known exactly) and theta from 0 to the horizon, every azimuth, against
-/// double: of the direction before it was rounded, and of the rounded m as it is. What D loses because it is subnormal itself, or rounds
-/// to one, is not counted.
+/// Relative errors of D over alpha (rounded to half, so that it is known exactly) and theta from 0 to the horizon,
+/// every azimuth, against double: of the direction before it was rounded, and of the rounded m as it is. What D loses
+/// because it is subnormal itself, or rounds to one, is not counted.
 template <class T, class D>
 sweep_error sweep(const D& density, double low, double high, double step, double subnormal = 0x1p-25) {
     constexpr int thetas = 2000;
@@ -140,7 +141,8 @@ sweep_error sweep(const D& density, double low, double high, double step, double
                 return (exact < 0x1.04p-14 ? larger(0.0, distance - subnormal) : distance) / exact;
             };
             const double wrong = error(exact_D(s * std::cos(phi), s * std::sin(phi), c, a));
-            const double wrong_here = error(exact_D(static_cast<double>(m.x), static_cast<double>(m.y), static_cast<double>(m.z), a));
+            const double wrong_here =
+                error(exact_D(static_cast<double>(m.x), static_cast<double>(m.y), static_cast<double>(m.z), a));
             e.mean += wrong;
             e.same_inputs = larger(e.same_inputs, wrong_here);
             if (wrong <= e.worst || std::isnan(e.worst)) continue;  // a NaN is the worst of all
@@ -187,24 +189,26 @@ TEST_CASE("half: D over alpha 0.05..1 and every angle, form by form", "[half]") 
     const auto in_float = row(0.0f, "float  lobe::ggx", by_ggx);
     const auto text_in_float = row(0.0f, "float  a^2/(pi (c (a^2 c - c) + 1)^2)", by_textbook);
 
-    // Roundings, each of u = 2^-11 at most. D_ggx_half: q 4 (two in a product, two sums), the quotient 1, twice that in the square, 1/pi
-    // and two products: 13. The rounding of m moves q by 2: 4 more in D.
+    // Roundings, each of u = 2^-11 at most. D_ggx_half: q 4 (two in a product, two sums), the quotient 1, twice that in
+    // the square, 1/pi and two products: 13. The rounding of m moves q by 2: 4 more in D.
     CHECK(special.same_inputs < roundings(13));
     CHECK(special.worst < roundings(17));
-    CHECK(flushed_special.same_inputs < roundings(13 + 1));  // a product below 6.1e-5 beside q >= 64 alpha = 3.2: 2e-5 each, 0.1 u
+    // a product below 6.1e-5 beside q >= 64 alpha = 3.2: 2e-5 each, 0.1 u
+    CHECK(flushed_special.same_inputs < roundings(13 + 1));
     CHECK(flushed_special.worst < roundings(17 + 1));
-    // On average, errors that are uniform within +-u have the variance u^2/3: of k 1 (quotient) + 2 (sums) + 2 (a product) + 4 (m,
-    // squared), four times that in D, two products more; and 1/pi is off by 0.32 u.
+    // On average, errors that are uniform within +-u have the variance u^2/3: of k 1 (quotient) + 2 (sums) + 2 (a
+    // product) + 4 (m, squared), four times that in D, two products more; and 1/pi is off by 0.32 u.
     CHECK(special.mean < (std::sqrt((4 * 9 + 2) / 3.0) + 0.32) * u);
-    // ggx<half>: 4 in a (m.m), 4 in the denominator, 1 in the quotient; twice that and 1 for the square; 3 for 1/pi; m moves the
-    // quotient by 4: 30, and the squares' subnormals are 3 2^-25 of a^2 >= 0.0025.
+    // ggx<half>: 4 in a (m.m), 4 in the denominator, 1 in the quotient; twice that and 1 for the square; 3 for 1/pi; m
+    // moves the quotient by 4: 30, and the squares' subnormals are 3 2^-25 of a^2 >= 0.0025.
     CHECK(general.worst < roundings(30 + 1));
     CHECK(mobile.worst < roundings(30 + 1));
     // Where subnormals are flushed, x^2 and y^2 may lose 6.1e-5 each beside a^2 = 0.0025: 5 % of k, 10 % of D.
     CHECK(flushed_general.worst > 0.04);
     CHECK(flushed_mobile.worst > 0.04);
     CHECK(flushed_general.worst < 4 * 0x1p-14 / 0.0024 + roundings(31));
-    // What all of this is for: cosines round to 1 up to theta = 0.022, where D at alpha 0.05 has fallen to 1/1.42 of its peak.
+    // What all of this is for: cosines round to 1 up to theta = 0.022, where D at alpha 0.05 has fallen to 1/1.42 of
+    // its peak.
     CHECK(text.worst > 0.4);
     CHECK(square.worst > 0.4);
     CHECK(in_float.worst < 12 * 0x1p-23 + roundings(8, 0x1p-24));  // 12 ULP, as ggx states, and the rounding of m
@@ -233,38 +237,44 @@ TEST_CASE("half: D_ggx_half down to alpha 0.0022, where ggx in half is infinite"
 TEST_CASE("half: where the clamp begins, and what it costs", "[half]") {
     const vec3<half> n{half(0), half(0), half(1)};
     const auto peak = [&](double a) { return static_cast<double>(lobe::D_ggx_half(n, alpha{half(a)})); };
-    // 1/sqrt(65504 pi). Along the normal q is exact, so that D is off by 5 u at most (two of the quotient, 1/pi, two products), alpha by 1
+    // 1/sqrt(65504 pi). Along the normal q is exact, so that D is off by 5 u at most (two of the quotient, 1/pi, two
+    // products), alpha by 1
     CHECK(last_alpha == Catch::Approx(1 / std::sqrt(65504 * pi)).epsilon(1e-7));
     CHECK(peak(last_alpha * (1 + 4 * u)) < 65504);
     CHECK(peak(last_alpha * (1 - 4 * u)) == 65504);
-    CHECK(std::isinf(static_cast<double>(lobe::D_ggx_half(n, alpha{half(0.002)}, half(std::numeric_limits<double>::infinity())))));
+    CHECK(std::isinf(
+        static_cast<double>(lobe::D_ggx_half(n, alpha{half(0.002)}, half(std::numeric_limits<double>::infinity())))));
     CHECK(static_cast<double>(lobe::D_ggx_half(n, alpha{half(0.1)}, half(10))) == 10);
     // Every alpha that is a half, and every direction: a number between 0 and 65504.
     int bad = 0;
     for (int exponent = -24; exponent <= 0; ++exponent)
         for (double mantissa : {1.0, 1.37, 1.9})
             for (int i = 0; i <= 400; ++i) {
-                const double s = i < 100 ? std::exp2(-0.25 * i) : std::sin(pi / 2 * (i - 100) / 300), c = std::sqrt((1 - s) * (1 + s));
+                const double s = i < 100 ? std::exp2(-0.25 * i) : std::sin(pi / 2 * (i - 100) / 300),
+                             c = std::sqrt((1 - s) * (1 + s));
                 const alpha<half> a{half(std::min(1.0, std::ldexp(mantissa, exponent)))};
                 const double D = static_cast<double>(lobe::D_ggx_half({half(0.6 * s), half(-0.8 * s), half(c)}, a));
                 const double below = static_cast<double>(lobe::D_ggx_half({half(0.6 * s), half(0.8 * s), half(-c)}, a));
                 bad += !(D >= 0 && D <= 65504) + !(c > 1e-3 ? below == 0 : below >= 0);
             }
     CHECK(bad == 0);
-    // int min(D, 65504) cos dm = 2 c - c^2, c = alpha/last_alpha: in t = sin^2, cos dm = pi dt, D = a^2/(pi (a^2 + (1 - a^2) t)^2); a^2
-    // beside 1 is 5e-6. The trapezoid rule in ln t.
+    // int min(D, 65504) cos dm = 2 c - c^2, c = alpha/last_alpha: in t = sin^2, cos dm = pi dt, D = a^2/(pi (a^2 + (1 -
+    // a^2) t)^2); a^2 beside 1 is 5e-6. The trapezoid rule in ln t.
     for (const auto& [a, stated] : {std::pair{0.002, 0.99}, std::pair{0.001, 0.70}, std::pair{1e-4, 0.09}}) {
         const double width = to_half(a), c = width / last_alpha;
         double light = 0, in_double = 0;
         constexpr int steps = 4000;
         const double low = std::log(1e-6 * width * width), h = -low / steps;
         for (int i = 0; i <= steps; ++i) {
-            const double t = std::exp(low + i * h), s = std::sqrt(t), z = std::sqrt(1 - std::min(t, 1.0)), weight = pi * t * h;
-            light += weight * static_cast<double>(lobe::D_ggx_half(vec3<half>{half(0.6 * s), half(0.8 * s), half(z)}, alpha{half(width)}));
+            const double t = std::exp(low + i * h), s = std::sqrt(t), z = std::sqrt(1 - std::min(t, 1.0)),
+                         weight = pi * t * h;
+            light += weight * static_cast<double>(lobe::D_ggx_half(vec3<half>{half(0.6 * s), half(0.8 * s), half(z)},
+                                                                   alpha{half(width)}));
             in_double += weight * lobe::D_ggx_half(vec3<double>{0.6 * s, 0.8 * s, z}, alpha{width});
         }
         INFO("alpha " << a << ": " << light << ", in double " << in_double << ", stated " << 2 * c - c * c);
-        CHECK(in_double == Catch::Approx(2 * c - c * c).margin(1e-4));  // 1e-6 c^2 below the first node, h^2 at the kink
+        // 1e-6 c^2 below the first node, h^2 at the kink
+        CHECK(in_double == Catch::Approx(2 * c - c * c).margin(1e-4));
         CHECK(light == Catch::Approx(in_double).epsilon(roundings(17)));
         CHECK(2 * c - c * c == Catch::Approx(stated).margin(0.006));
     }
@@ -303,7 +313,9 @@ TEST_CASE("half: the emulation is the compiler's _Float16, bit for bit", "[half]
     // conversions: every half, the ties between neighbours, and what is next to the ties
     for (unsigned bits = 0; bits < 0x7c00; ++bits) {
         const double x = static_cast<double>(std::bit_cast<_Float16>(static_cast<std::uint16_t>(bits)));
-        const double next = bits == 0x7bff ? 65536.0 : static_cast<double>(std::bit_cast<_Float16>(static_cast<std::uint16_t>(bits + 1)));
+        const double next = bits == 0x7bff
+                                ? 65536.0
+                                : static_cast<double>(std::bit_cast<_Float16>(static_cast<std::uint16_t>(bits + 1)));
         const double tie = (x + next) / 2;
         for (const double y : {x, tie, std::nextafter(tie, 0.0), std::nextafter(tie, 1e9)})
             wrong += !same(half(y), static_cast<_Float16>(y)) + !same(half(-y), static_cast<_Float16>(-y));
@@ -315,7 +327,8 @@ TEST_CASE("half: the emulation is the compiler's _Float16, bit for bit", "[half]
         const _Float16 a = any(), b = any();
         const half x(static_cast<double>(a)), y(static_cast<double>(b));
         const _Float16 sum = a + b, difference = a - b, product = a * b, quotient = a / b;
-        wrong += !same(x + y, sum) + !same(x - y, difference) + !same(x * y, product) + !same(x / y, quotient) + ((x < y) != (a < b));
+        wrong += !same(x + y, sum) + !same(x - y, difference) + !same(x * y, product) + !same(x / y, quotient) +
+                 ((x < y) != (a < b));
     }
     CHECK(wrong == 0);
     // and so is D

@@ -13,13 +13,14 @@ WIDTH = 120
 
 # Which rooms a room may include, beside itself. Rooms inside the kit are written testkit/room; "" is include/lobe itself.
 BASE = {"core", "numeric"}
-MODELS = BASE | {"sampling", "ndf", "fresnel", "brdf"}
+MODELS = BASE | {"width", "sampling", "ndf", "fresnel", "brdf"}
 MAY_INCLUDE = {
     "core": set(),
     "numeric": {"core"},
     "sampling": BASE,
     "fresnel": BASE,
-    "ndf": BASE | {"sampling"},
+    "width": BASE,
+    "ndf": BASE | {"width", "sampling"},
     "brdf": MODELS,
     "lights": MODELS,
     "energy": MODELS,

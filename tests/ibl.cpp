@@ -35,7 +35,8 @@ TEST_CASE("texel solid angles add up to the sphere, and are exact", "[ibl]") {
             total += width * omega;
             total_float += width * static_cast<double>(lobe::latlong_texel_solid_angle<float>(row, width, height));
             const double top = 3.141592653589793 * row / height, bottom = 3.141592653589793 * (row + 1) / height;
-            CHECK(omega == Catch::Approx(2 * 3.141592653589793 / width * (std::cos(top) - std::cos(bottom))).epsilon(1e-9));
+            CHECK(omega ==
+                  Catch::Approx(2 * 3.141592653589793 / width * (std::cos(top) - std::cos(bottom))).epsilon(1e-9));
         }
         CHECK(total == Catch::Approx(4 * 3.141592653589793).epsilon(1e-13));
         CHECK(total_float == Catch::Approx(4 * 3.141592653589793).epsilon(2e-6));
@@ -48,7 +49,8 @@ latlong<double> cosine_map(int width, int height, const vec3<double>& axis) {
     std::vector<vec3<double>> pixels;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            const double c = lobe::dot(lobe::latlong_direction(vec2<double>{(x + 0.5) / width, (y + 0.5) / height}), axis);
+            const double c =
+                lobe::dot(lobe::latlong_direction(vec2<double>{(x + 0.5) / width, (y + 0.5) / height}), axis);
             pixels.push_back({1 + c, c * c, 1});
         }
     return {width, height, pixels};
@@ -61,9 +63,11 @@ TEST_CASE("a lat-long image interpolates across its seam and at its poles", "[ib
     random_numbers random(2);
     for (int i = 0; i < 10000; ++i) {
         const vec3<double> w =
-            i % 2 ? random.direction() : lobe::normalize(vec3<double>{-1, random.between(-1, 1), random.between(-0.01, 0.01)});
-        // linear: an eighth of the squared texel times the second derivative, in each angle; a sixteenth of it times the first and cot
-        // theta for the weights that keep the energy, no more than at the middle of the row next to the pole
+            i % 2 ? random.direction()
+                  : lobe::normalize(vec3<double>{-1, random.between(-1, 1), random.between(-0.01, 0.01)});
+        // linear: an eighth of the squared texel times the second derivative, in each angle; a sixteenth of it times
+        // the first and cot theta for the weights that keep the energy, no more than at the middle of the row next to
+        // the pole
         const double texel = 3.141592653589793 / 128, theta = std::acos(std::abs(w.y));
         CHECK(std::abs(map(w).x - (1 + w.z)) < texel * texel * (0.25 + 1 / (16 * std::tan(larger(theta, texel / 2)))));
         CHECK(map(w).z == Catch::Approx(1));
@@ -83,8 +87,10 @@ TEST_CASE("irradiance: analytic environments", "[ibl]") {
         const vec3<double> n = random.direction();
         const double c = lobe::dot(n, a);
         const vec3<double> exact{1 + 2 * c / 3, (1 + c * c) / 4, 1};
-        CHECK(lobe::length(lobe::irradiance(analytic, n, 4096) - exact) < 1e-3);  // Hammersley, 4096 points: log(n)/n = 2e-3, measured 2e-4
-        CHECK(lobe::length(lobe::irradiance(map, n) - exact) < 3e-4);             // midpoint rule over texels of 1.4 degrees
+        // Hammersley, 4096 points: log(n)/n = 2e-3, measured 2e-4
+        CHECK(lobe::length(lobe::irradiance(analytic, n, 4096) - exact) < 1e-3);
+        // midpoint rule over texels of 1.4 degrees
+        CHECK(lobe::length(lobe::irradiance(map, n) - exact) < 3e-4);
     }
     const auto constant = [](const vec3<float>&) { return 2.5f; };
     CHECK(lobe::irradiance(constant, vec3<float>{0, 1, 0}, 64) == Catch::Approx(2.5));
@@ -98,7 +104,8 @@ TEST_CASE("prefiltered radiance: the reference values and a constant environment
         const auto forward = [&](const vec3<double>& l) { return std::max(0.0, lobe::dot(l, r)); };
         CHECK(std::abs(lobe::prefiltered_radiance(forward, r, lobe::alpha{0.1}, 1u << 14) - 0.95435439) < 1e-5);
         CHECK(std::abs(lobe::prefiltered_radiance(forward, r, lobe::alpha{0.5}, 1u << 14) - 0.76356088) < 1e-4);
-        CHECK(lobe::prefiltered_radiance([](const vec3<double>&) { return 3.0; }, r, lobe::alpha{0.3}, 64) == Catch::Approx(3));
+        CHECK(lobe::prefiltered_radiance([](const vec3<double>&) { return 3.0; }, r, lobe::alpha{0.3}, 64) ==
+              Catch::Approx(3));
     }
 }
 
@@ -123,7 +130,8 @@ TEST_CASE("filtered importance sampling converges to the unfiltered integral", "
 TEST_CASE("a million samples of a constant environment add up", "[ibl]") {
     const auto constant = [](const vec3<float>&) { return 2.5f; };
     CHECK(std::abs(lobe::irradiance(constant, vec3<float>{0, 1, 0}, 1u << 22) - 2.5f) < 1e-6f);
-    CHECK(std::abs(lobe::prefiltered_radiance(constant, vec3<float>{0, 1, 0}, lobe::alpha{0.5f}, 1u << 22) - 2.5f) < 1e-6f);
+    CHECK(std::abs(lobe::prefiltered_radiance(constant, vec3<float>{0, 1, 0}, lobe::alpha{0.5f}, 1u << 22) - 2.5f) <
+          1e-6f);
 }
 
 TEST_CASE("filtered importance sampling takes the solid angle that it states", "[ibl]") {
@@ -154,12 +162,14 @@ TEST_CASE("filtered importance sampling takes the solid angle that it states", "
 
 TEST_CASE("each level of the pyramid keeps the mean over the sphere, odd sizes too", "[ibl]") {
     const auto size = GENERATE(std::pair{64, 32}, std::pair{1000, 500}, std::pair{21, 11});
-    const lobe::latlong_pyramid<double> pyramid(cosine_map(size.first, size.second, lobe::normalize(vec3<double>{0.3, 0.5, -0.8})));
+    const lobe::latlong_pyramid<double> pyramid(
+        cosine_map(size.first, size.second, lobe::normalize(vec3<double>{0.3, 0.5, -0.8})));
     CHECK(pyramid.level(pyramid.size() - 1).height <= 3);
     const auto mean = [](const latlong<double>& map) {
         vec3<double> total(0);
         for (int y = 0; y < map.height; ++y)
-            for (int x = 0; x < map.width; ++x) total += map.at(x, y) * lobe::latlong_texel_solid_angle<double>(y, map.width, map.height);
+            for (int x = 0; x < map.width; ++x)
+                total += map.at(x, y) * lobe::latlong_texel_solid_angle<double>(y, map.width, map.height);
         return total;
     };
     for (std::size_t i = 1; i < pyramid.size(); ++i)
@@ -194,12 +204,13 @@ double energy(const latlong<T>& map) {
     double total = 0;
     for (int y = 0; y < map.height; ++y)
         for (int x = 0; x < map.width; ++x)
-            total += static_cast<double>(map.at(x, y).x) * lobe::latlong_texel_solid_angle<double>(y, map.width, map.height);
+            total +=
+                static_cast<double>(map.at(x, y).x) * lobe::latlong_texel_solid_angle<double>(y, map.width, map.height);
     return total;
 }
 
-/// int look(w).x dw. In theta eight Gauss points between any two of the kinks, the poles, edges and middles of rows, of images of these
-/// heights; in phi, `count` equal steps, from elsewhere in each row of points.
+/// int look(w).x dw. In theta eight Gauss points between any two of the kinks, the poles, edges and middles of rows, of
+/// images of these heights; in phi, `count` equal steps, from elsewhere in each row of points.
 template <class T, class Look>
 double energy(const Look& look, const std::vector<int>& heights, int count) {
     constexpr double x[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
@@ -214,7 +225,8 @@ double energy(const Look& look, const std::vector<int>& heights, int count) {
             const double theta = (from + to) / 2 + (i % 2 ? 1 : -1) * x[i / 2] * (to - from) / 2;
             start = std::fmod(start + 0.6180339887498949, 1);
             double row = 0;
-            for (int k = 0; k < count; ++k) row += static_cast<double>(look(direction<T>(theta, 2 * pi * (k + start) / count)).x);
+            for (int k = 0; k < count; ++k)
+                row += static_cast<double>(look(direction<T>(theta, 2 * pi * (k + start) / count)).x);
             total += row / count * 2 * pi * std::sin(theta) * weight[i / 2] * (to - from) / 2;
         }
         from = to;
@@ -225,13 +237,14 @@ double energy(const Look& look, const std::vector<int>& heights, int count) {
 }  // namespace
 
 TEMPLATE_TEST_CASE("the energy of an image is kept by every look-up, level and solid angle", "[ibl]", float, double) {
-    // The steps divide the columns of every level, so sums along a row are exact, and what is left is rounding: 1e-5 asked, 1e-12 had in
-    // double, 1e-6 in float. Plain bilinear weights give a texel next to a pole 8% too much.
+    // The steps divide the columns of every level, so sums along a row are exact, and what is left is rounding: 1e-5
+    // asked, 1e-12 had in double, 1e-6 in float. Plain bilinear weights give a texel next to a pole 8% too much.
     const auto [width, height] =
-        GENERATE(std::pair{1, 1}, std::pair{2, 1}, std::pair{1, 2}, std::pair{2, 2}, std::pair{3, 5}, std::pair{7, 4}, std::pair{16, 1},
-                 std::pair{1, 64}, std::pair{32, 16}, std::pair{21, 11}, std::pair{40, 5});
+        GENERATE(std::pair{1, 1}, std::pair{2, 1}, std::pair{1, 2}, std::pair{2, 2}, std::pair{3, 5}, std::pair{7, 4},
+                 std::pair{16, 1}, std::pair{1, 64}, std::pair{32, 16}, std::pair{21, 11}, std::pair{40, 5});
     for (const auto& map : {noise<TestType>(width, height, 5), one_texel<TestType>(width, height, width / 3, 0),
-                            one_texel<TestType>(width, height, width - 1, height - 1), one_texel<TestType>(width, height, 0, height / 2)}) {
+                            one_texel<TestType>(width, height, width - 1, height - 1),
+                            one_texel<TestType>(width, height, 0, height / 2)}) {
         const double exact = energy(map);
         const lobe::latlong_pyramid<TestType> pyramid(map);
         INFO(width << " x " << height);
@@ -256,11 +269,13 @@ TEMPLATE_TEST_CASE("the energy of an image is kept by every look-up, level and s
 }
 
 TEST_CASE("a look-up over a pole is continuous, and right by symmetry", "[ibl]") {
-    // L = 1 + x, half a steradian at the zenith: 1. An azimuth of its own at the pole gives 1.41 on one side and 0.59 on the other.
+    // L = 1 + x, half a steradian at the zenith: 1. An azimuth of its own at the pole gives 1.41 on one side and 0.59
+    // on the other.
     std::vector<vec3<double>> pixels;
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 128; ++x)
-            pixels.push_back(vec3<double>(1 + lobe::latlong_direction(vec2<double>{(x + 0.5) / 128, (y + 0.5) / 64}).x));
+            pixels.push_back(
+                vec3<double>(1 + lobe::latlong_direction(vec2<double>{(x + 0.5) / 128, (y + 0.5) / 64}).x));
     const lobe::latlong_pyramid<double> pyramid(latlong<double>(128, 64, pixels));
     const auto grainy = noise<double>(GENERATE(1, 5, 64), GENERATE(1, 4, 32), 6);
     const lobe::latlong_pyramid<double> grains(grainy);
@@ -270,19 +285,21 @@ TEST_CASE("a look-up over a pole is continuous, and right by symmetry", "[ibl]")
             CHECK(std::abs(pyramid(w, 0.5).x - 1) < 1e-8);  // the slope, 1, times the distance
             CHECK(std::abs(pyramid(w).x - 1) < 1e-8);
             const auto across = direction<double>(std::abs(pole - 1e-9), 3.2 + i);
-            CHECK(std::abs(grainy(w).x - grainy(across).x) < 1e-7);  // at most a full step over half a row of 1/64 of pi: 40 e-9
+            // at most a full step over half a row of 1/64 of pi: 40 e-9
+            CHECK(std::abs(grainy(w).x - grainy(across).x) < 1e-7);
             for (const double solid_angle : {1e-5, 0.01, 0.5, 3.0})
                 CHECK(std::abs(grains(w, solid_angle).x - grains(across, solid_angle).x) < 1e-7);
         }
 }
 
 TEST_CASE("a small sun gives the same highlight wherever it stands", "[ibl]") {
-    // GGX seen head on, in closed form: D(m)/4 with (m.r)^2 = (1 + l.r)/2, and its normalisation by the midpoint rule. A sun of one texel
-    // is smaller than any cap that a sample asks for. Rms over reflections up to 80 degrees off the sun, 48 of them: at most 0.12 of the
-    // rms highlight, what a look-up that averages over the true cap has. Levels with slivers at the poles: 0.8, and more for more samples.
+    // GGX seen head on, in closed form: D(m)/4 with (m.r)^2 = (1 + l.r)/2, and its normalisation by the midpoint rule.
+    // A sun of one texel is smaller than any cap that a sample asks for. Rms over reflections up to 80 degrees off the
+    // sun, 48 of them: at most 0.12 of the rms highlight, what a look-up that averages over the true cap has. Levels
+    // with slivers at the poles: 0.8, and more for more samples.
     constexpr double pi = 3.141592653589793;
-    const auto [width, height, count] =
-        GENERATE(std::tuple{64, 32, 1024u}, std::tuple{64, 32, 4096u}, std::tuple{512, 256, 1024u}, std::tuple{300, 150, 1500u});
+    const auto [width, height, count] = GENERATE(std::tuple{64, 32, 1024u}, std::tuple{64, 32, 4096u},
+                                                 std::tuple{512, 256, 1024u}, std::tuple{300, 150, 1500u});
     const double a = GENERATE(1.0, 0.5);
     const auto lobe_of = [&](double cosine) {
         const double b = 1 - (1 - a * a) * (1 + cosine) / 2;
@@ -290,8 +307,8 @@ TEST_CASE("a small sun gives the same highlight wherever it stands", "[ibl]") {
     };
     double all = 0;
     for (int i = 0; i < 10000; ++i) all += 2 * pi * lobe_of((i + 0.5) / 10000) / 10000;
-    for (const double degrees :
-         {0.0, 1.0, 2.0, 3.5, 5.0, 7.0, 10.0, 15.0, 20.0, 45.0, 60.0, 100.0, 130.0, 165.0, 172.0, 177.0, 179.0, 180.0}) {
+    for (const double degrees : {0.0, 1.0, 2.0, 3.5, 5.0, 7.0, 10.0, 15.0, 20.0, 45.0, 60.0, 100.0, 130.0, 165.0, 172.0,
+                                 177.0, 179.0, 180.0}) {
         const int row = std::clamp(static_cast<int>(degrees / 180 * height), 0, height - 1),
                   column = 5 * width / 8;  // the worst: on an edge of every level
         const auto sun = lobe::latlong_direction(vec2<double>{(column + 0.5) / width, (row + 0.5) / height});
@@ -300,11 +317,12 @@ TEST_CASE("a small sun gives the same highlight wherever it stands", "[ibl]") {
         double error = 0, highlight = 0;
         for (int k = 0; k < 48; ++k) {
             const double away = 1.4 * std::sqrt((k + 0.5) / 48);
-            const vec3<double> r =
-                lobe::frame<double>(sun).to_world({std::sin(away) * std::cos(2.4 * k), std::sin(away) * std::sin(2.4 * k), std::cos(away)});
+            const vec3<double> r = lobe::frame<double>(sun).to_world(
+                {std::sin(away) * std::cos(2.4 * k), std::sin(away) * std::sin(2.4 * k), std::cos(away)});
             const double exact = power * lobe_of(lobe::dot(sun, r)) / all;
             const double difference =
-                static_cast<double>(lobe::prefiltered_radiance(pyramid, vec3<float>(r), lobe::alpha{static_cast<float>(a)}, count).x) -
+                static_cast<double>(
+                    lobe::prefiltered_radiance(pyramid, vec3<float>(r), lobe::alpha{static_cast<float>(a)}, count).x) -
                 exact;
             error += difference * difference;
             highlight += exact * exact;
@@ -316,13 +334,15 @@ TEST_CASE("a small sun gives the same highlight wherever it stands", "[ibl]") {
 
 TEMPLATE_TEST_CASE("a constant image is constant, however few its texels", "[ibl]", float, double) {
     using T = TestType;
-    const auto [width, height] = GENERATE(std::pair{1, 1}, std::pair{2, 1}, std::pair{1, 2}, std::pair{2, 2}, std::pair{3, 1},
-                                          std::pair{1, 3}, std::pair{8, 1}, std::pair{1, 8}, std::pair{4, 2}, std::pair{3, 5},
-                                          std::pair{7, 4}, std::pair{4096, 1}, std::pair{1, 4096}, std::pair{64, 32});
+    const auto [width, height] =
+        GENERATE(std::pair{1, 1}, std::pair{2, 1}, std::pair{1, 2}, std::pair{2, 2}, std::pair{3, 1}, std::pair{1, 3},
+                 std::pair{8, 1}, std::pair{1, 8}, std::pair{4, 2}, std::pair{3, 5}, std::pair{7, 4},
+                 std::pair{4096, 1}, std::pair{1, 4096}, std::pair{64, 32});
     const T value = GENERATE(T(1), T(0.1), T(3e4));
     const latlong<T> map(width, height, std::vector<vec3<T>>(static_cast<std::size_t>(width * height), vec3<T>(value)));
     const lobe::latlong_pyramid<T> pyramid(map);
-    const T rounding = value * (sizeof(T) == 4 ? T(1.2e-7f) : T(1e-11));  // float is summed in double; half a million terms in double
+    // float is summed in double; half a million terms in double
+    const T rounding = value * (sizeof(T) == 4 ? T(1.2e-7f) : T(1e-11));
     random_numbers random(7);
     std::vector<vec3<T>> directions{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     for (int i = 0; i < 4; ++i) directions.push_back(vec3<T>(random.direction()));
@@ -342,11 +362,15 @@ TEMPLATE_TEST_CASE("a constant image is constant, however few its texels", "[ibl
 }
 
 TEST_CASE("irradiance of images of a few texels", "[ibl]") {
-    // Half a sphere of light at an angle from the normal: (1 + cosine)/2, by projecting it onto the floor. The left half of a map is z < 0.
-    // Lunes: light between the azimuths a and b around the zenith gives (b - a)/(2 pi) to a floor. Error: 2e-4, as stated.
+    // Half a sphere of light at an angle from the normal: (1 + cosine)/2, by projecting it onto the floor. The left
+    // half of a map is z < 0.
+    // Lunes: light between the azimuths a and b around the zenith gives (b - a)/(2 pi) to a floor.
+    // Error: 2e-4, as stated.
     random_numbers random(8);
-    const auto top = one_texel<double>(1, 2, 0, 0), right = one_texel<double>(2, 1, 1, 0), corner = one_texel<double>(2, 2, 1, 0);
-    const auto third = one_texel<double>(3, 1, 1, 0), column = one_texel<double>(8, 1, 3, 0), quarter = one_texel<double>(4, 2, 2, 1);
+    const auto top = one_texel<double>(1, 2, 0, 0), right = one_texel<double>(2, 1, 1, 0),
+               corner = one_texel<double>(2, 2, 1, 0);
+    const auto third = one_texel<double>(3, 1, 1, 0), column = one_texel<double>(8, 1, 3, 0),
+               quarter = one_texel<double>(4, 2, 2, 1);
     for (int i = 0; i < 50; ++i) {
         const vec3<double> n = random.direction();
         CHECK(std::abs(lobe::irradiance(top, n).x - (1 + n.y) / 2) < 2e-4);
@@ -395,7 +419,8 @@ TEMPLATE_TEST_CASE("a NaN in a direction is a NaN, and no other input is undefin
         }
         // A solid angle of nothing is the image itself, all directions and more the coarsest level.
         for (const vec3<T>& w : {vec3<T>{0, 1, 0}, {0, T(0.6), T(0.8)}, {T(0.6), T(-0.8), 0}, {0, -1, 0}, {-1, 0, 0}}) {
-            for (const T solid_angle : {T(0), T(-0.0), T(-1), -infinity, nan, tiny}) CHECK(pyramid(w, solid_angle).x == map(w).x);
+            for (const T solid_angle : {T(0), T(-0.0), T(-1), -infinity, nan, tiny})
+                CHECK(pyramid(w, solid_angle).x == map(w).x);
             CHECK(inside(pyramid(w, infinity).x));
             if (pyramid.size() > 1) CHECK(pyramid(w, infinity).x == pyramid.level(pyramid.size() - 1)(w).x);
         }

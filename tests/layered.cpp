@@ -38,11 +38,14 @@ auto gloss(double a, double F0 = 0.04) { return microfacet{ggx{alpha{a}}, smith_
 
 /// The specular lobe's albedo by quadrature, without a table: 4e-7 at order 32.
 auto albedo_of(double a, double F0 = 0.04) {
-    return [lobe = gloss(a, F0)](double mu) { return lobe::directional_albedo(lobe, std::max(mu, 1e-6), {.order = 32}).value; };
+    return [lobe = gloss(a, F0)](double mu) {
+        return lobe::directional_albedo(lobe, std::max(mu, 1e-6), {.order = 32}).value;
+    };
 }
 
 double fresnel_total(double a, double mu) {
-    return lobe::directional_albedo(layered{gloss(a), lambert{1.0}, lobe::fresnel_coupling{schlick{0.04}}}, mu, {.order = 64});
+    return lobe::directional_albedo(layered{gloss(a), lambert{1.0}, lobe::fresnel_coupling{schlick{0.04}}}, mu,
+                                    {.order = 64});
 }
 
 }  // namespace
@@ -53,7 +56,8 @@ TEST_CASE("the price of 1 - F(v.h): a white base makes light", "[layered]") {
     double largest = 0;
     for (double a : {0.001, 0.01, 0.02, 0.05, 0.1, 0.3, 1.0})
         for (double mu : {0.001, 0.01, 0.03, 0.1, 0.3, 1.0}) largest = larger(largest, fresnel_total(a, mu));
-    // At grazing views of a smooth surface the lobe returns all and the base nearly all as well: the limit is 1 + what it returns at mu = 0.
+    // At grazing views of a smooth surface the lobe returns all and the base nearly all as well: the limit is 1 + what
+    // it returns at mu = 0.
     const lobe::coupled base{lambert{1.0}, lobe::fresnel_coupling{schlick{0.04}}};
     CHECK(largest < 1 + lobe::directional_albedo(base, 1e-6, {.order = 64}).value);
     CHECK(largest > 1.85);
@@ -65,7 +69,8 @@ TEST_CASE("1 - E(v) totals exactly 1 over a white base, and is not reciprocal", 
         for (double mu : {0.01, 0.1, 1.0}) {
             INFO("alpha " << a << " mu " << mu);
             const layered brdf{gloss(a), lambert{1.0}, lobe::albedo_coupling{albedo_of(a)}};
-            // the same lobe at the same order on both sides: only Lambert's own quadrature is left, which is exact to rounding
+            // the same lobe at the same order on both sides: only Lambert's own quadrature is left, which is exact to
+            // rounding
             CHECK(std::abs(lobe::directional_albedo(brdf, mu, {.order = 32}).value - 1) < 1e-9);
         }
     const auto E = albedo_of(0.3);
@@ -82,14 +87,16 @@ TEST_CASE("the reciprocal product totals exactly 1 over a white Lambertian base"
         const layered brdf{gloss(a), lambert{1.0}, lobe::reciprocal_coupling{albedo_of(a), E_avg}};
         for (double mu : {0.05, 1.0}) {
             INFO("alpha " << a << " mu " << mu);
-            // two rules for 2 int E mu dmu, average_albedo's and the one over l: each good to 1e-8 where E bends, at mu ~ alpha
+            // two rules for 2 int E mu dmu, average_albedo's and the one over l: each good to 1e-8 where E bends, at mu
+            // ~ alpha
             CHECK(std::abs(lobe::directional_albedo(brdf, mu, {.order = 32}).value - 1) < 2e-8);
         }
     }
     // With colour: what is missing is absorbed by the base, (1 - rho)(1 - E(v)).
     const double E_avg = lobe::average_albedo(gloss(0.5), {.order = 32});
     const layered grey{gloss(0.5), lambert{0.3}, lobe::reciprocal_coupling{albedo_of(0.5), E_avg}};
-    CHECK(std::abs(lobe::directional_albedo(grey, 0.4, {.order = 32}).value - (1 - 0.7 * (1 - albedo_of(0.5)(0.4)))) < 2e-8);
+    CHECK(std::abs(lobe::directional_albedo(grey, 0.4, {.order = 32}).value - (1 - 0.7 * (1 - albedo_of(0.5)(0.4)))) <
+          2e-8);
     CHECK(aborts([] { (void)lobe::reciprocal_coupling{albedo_of(0.5), 1.0}; }));
     CHECK(aborts([] { (void)lobe::reciprocal_coupling{albedo_of(0.5), std::numeric_limits<double>::quiet_NaN()}; }));
 }
@@ -104,12 +111,13 @@ TEST_CASE("E from a baked table, in colour: the total is as good as the table", 
     };
     const microfacet lobe{ggx{a}, smith_correlated{}, schlick{f0}};
     const layered by_view{lobe, lambert{vec3<float>{1}}, lobe::albedo_coupling{E}};
-    const layered both_ways{lobe, lambert{vec3<float>{1}}, lobe::reciprocal_coupling{E, lobe::average_albedo(lobe).value}};
+    const layered both_ways{lobe, lambert{vec3<float>{1}},
+                            lobe::reciprocal_coupling{E, lobe::average_albedo(lobe).value}};
     for (float mu : {0.1f, 0.5f, 0.95f}) {
         const vec3<float> once = lobe::directional_albedo(by_view, mu), twice = lobe::directional_albedo(both_ways, mu);
         for (int c = 0; c < 3; ++c) {
-            // scale and bias err by up to 3.5e-3 in opposite directions, their sum by 1.5e-3, so E by less than 3.5e-3; then that of E(l),
-            // 4e-4 rms on average, over 1 - E_avg >= 0.3
+            // scale and bias err by up to 3.5e-3 in opposite directions, their sum by 1.5e-3, so E by less than 3.5e-3;
+            // then that of E(l), 4e-4 rms on average, over 1 - E_avg >= 0.3
             CHECK(std::abs(once[c] - 1) < 3.5e-3f);
             CHECK(std::abs(twice[c] - 1) < 3.5e-3f + 2e-3f);
         }
@@ -133,8 +141,10 @@ double worst_reciprocity(const B& brdf, std::uint64_t seed) {
 
 TEST_CASE("what claims to be reciprocal is, to rounding", "[layered]") {
     const auto some_E = [](double mu) { return 0.04 + 0.4 * (1 - mu); };  // any E will do
-    CHECK(worst_reciprocity(layered{gloss(0.2), lambert{0.8}, lobe::fresnel_coupling{schlick{0.04}}}, 1) < 16 * 1.1e-16);
-    CHECK(worst_reciprocity(layered{gloss(0.2), lambert{0.8}, lobe::reciprocal_coupling{some_E, 0.2}}, 2) < 16 * 1.1e-16);
+    CHECK(worst_reciprocity(layered{gloss(0.2), lambert{0.8}, lobe::fresnel_coupling{schlick{0.04}}}, 1) <
+          16 * 1.1e-16);
+    CHECK(worst_reciprocity(layered{gloss(0.2), lambert{0.8}, lobe::reciprocal_coupling{some_E, 0.2}}, 2) <
+          16 * 1.1e-16);
     CHECK(worst_reciprocity(lobe::metallic_roughness(0.8, 0.3, alpha{0.1}), 3) < 16 * 1.1e-16);
     CHECK(worst_reciprocity(layered{gloss(0.2), lambert{0.8}, lobe::albedo_coupling{some_E}}, 4) > 0.1);
     CHECK(worst_reciprocity(lobe::coated(lambert{0.8}, ggx{alpha{0.1}}, 1.0), 5) > 0.1);
@@ -168,7 +178,8 @@ TEST_CASE("f is the sum that the comment prints", "[layered]") {
 
 namespace {
 
-/// weight * pdf = f_cos, pdf(v, sample.l) = sample.pdf, evaluate = (f_cos, pdf), E[weight] = albedo, no weight is large.
+/// weight * pdf = f_cos, pdf(v, sample.l) = sample.pdf, evaluate = (f_cos, pdf), E[weight] = albedo, no weight is
+/// large.
 template <class B>
 void expect_consistent_sampling(const B& brdf, const vec3<double>& v, double tolerance) {
     static_assert(lobe::samplable_brdf<B>);
@@ -180,8 +191,9 @@ void expect_consistent_sampling(const B& brdf, const vec3<double>& v, double tol
         largest = larger(largest, s.weight);
         if (s.pdf == 0) continue;
         const auto e = brdf.evaluate(v, s.l);
-        worst = larger({worst, std::abs(s.weight * s.pdf / brdf.f_cos(v, s.l) - 1), std::abs(s.pdf / brdf.pdf(v, s.l) - 1),
-                        std::abs(e.f_cos / brdf.f_cos(v, s.l) - 1), std::abs(e.pdf / s.pdf - 1)});
+        worst =
+            larger({worst, std::abs(s.weight * s.pdf / brdf.f_cos(v, s.l) - 1), std::abs(s.pdf / brdf.pdf(v, s.l) - 1),
+                    std::abs(e.f_cos / brdf.f_cos(v, s.l) - 1), std::abs(e.pdf / s.pdf - 1)});
     }
     const double albedo = lobe::directional_albedo(brdf, v).value;
     INFO("mean weight " << mean_weight << " albedo " << albedo << " largest weight " << largest);
@@ -193,8 +205,8 @@ void expect_consistent_sampling(const B& brdf, const vec3<double>& v, double tol
 }  // namespace
 
 TEST_CASE("compositions: weight * pdf is f_cos, and weights add up to the albedo", "[layered]") {
-    // 2^17 Hammersley points: error of order log(n)/n = 9e-5 times the variation of the weight over the square, which is about 2, and
-    // as much again for the jump between the lobes.
+    // 2^17 Hammersley points: error of order log(n)/n = 9e-5 times the variation of the weight over the square, which
+    // is about 2, and as much again for the jump between the lobes.
     const auto some_E = [](double mu) { return 0.04 + 0.4 * (1 - mu); };
     for (double a : {0.001, 0.05, 1.0})
         for (double mu : {0.05, 0.5, 1.0}) {
@@ -207,10 +219,13 @@ TEST_CASE("compositions: weight * pdf is f_cos, and weights add up to the albedo
             expect_consistent_sampling(layered{gloss(a), base, lobe::albedo_coupling{some_E}}, v, 5e-4);
             expect_consistent_sampling(layered{gloss(a), base, lobe::reciprocal_coupling{some_E, 0.2}}, v, 5e-4);
             expect_consistent_sampling(lobe::metallic_roughness(0.6, 0.4, alpha_xy{a, 0.3}), v, 5e-4);
-            expect_consistent_sampling(sum{weighted{0.3, gloss(a, 0.5)}, weighted{0.7, gloss(0.4, 0.5)}, lambert{0.2}}, v, 5e-4);
-            expect_consistent_sampling(lobe::coated(lobe::metallic_roughness(0.6, 0.4, alpha{0.3}), ggx{alpha{a}}, 0.8), v, 5e-4);
+            expect_consistent_sampling(sum{weighted{0.3, gloss(a, 0.5)}, weighted{0.7, gloss(0.4, 0.5)}, lambert{0.2}},
+                                       v, 5e-4);
+            expect_consistent_sampling(lobe::coated(lobe::metallic_roughness(0.6, 0.4, alpha{0.3}), ggx{alpha{a}}, 0.8),
+                                       v, 5e-4);
         }
-    expect_consistent_sampling(lobe::coated(lobe::eon{0.8, 0.5}, lobe::gtr{alpha{0.1}, 1.0}, 0.25), view(0.4), 5e-4);
+    expect_consistent_sampling(lobe::coated(lobe::eon{0.8, 0.5}, lobe::tabulated{lobe::gtr{alpha{0.1}, 1.0}}, 0.25),
+                               view(0.4), 5e-4);
 }
 
 TEST_CASE("compositions: each lobe's part of the square has its share of the pdf as Jacobian", "[layered]") {
@@ -265,7 +280,8 @@ TEST_CASE("samples are shared by albedo, and none go to a black lobe", "[layered
     const sum ordinary{lambert{0.2}, lambert{0.6}, lambert{0.0}};
     const auto v = view(0.5);
     CHECK(ordinary.albedo_estimate(v) == Catch::Approx(0.8));
-    // three densities that differ: lambert's, and two of microfacets with F0 = F90, whose shares are 0.25 and 0.75 exactly
+    // three densities that differ: lambert's, and two of microfacets with F0 = F90, whose shares are 0.25 and 0.75
+    // exactly
     const auto flat = [](double a, double F) { return microfacet{ggx{alpha{a}}, smith_correlated{}, schlick{F, F}}; };
     const sum two{flat(0.1, 0.2), flat(0.5, 0.6), lambert{0.0}};
     const vec3<double> l{-0.2, -0.3, std::sqrt(0.87)};
@@ -274,9 +290,12 @@ TEST_CASE("samples are shared by albedo, and none go to a black lobe", "[layered
     CHECK(black.sample(v, {0.7, 0.2}).weight == 0);
     CHECK(black.pdf(v, l) == lambert{0.5}.pdf(v, l));
     // colours count by their mean
-    const sum coloured{lambert{vec3<float>{0.9f, 0.0f, 0.0f}}, microfacet{ggx{alpha{0.5f}}, smith_correlated{}, schlick{vec3<float>{0.1f}, vec3<float>{0.1f}}}};
+    const sum coloured{lambert{vec3<float>{0.9f, 0.0f, 0.0f}},
+                       microfacet{ggx{alpha{0.5f}}, smith_correlated{}, schlick{vec3<float>{0.1f}, vec3<float>{0.1f}}}};
     const vec3<float> w{0.6f, 0, 0.8f}, k{0, 0.6f, 0.8f};
-    CHECK(coloured.pdf(w, k) == Catch::Approx(0.75f * 0.8f / pi + 0.25f * microfacet{ggx{alpha{0.5f}}, smith_correlated{}, schlick{0.5f}}.pdf(w, k)));
+    CHECK(coloured.pdf(w, k) ==
+          Catch::Approx(0.75f * 0.8f / pi +
+                        0.25f * microfacet{ggx{alpha{0.5f}}, smith_correlated{}, schlick{0.5f}}.pdf(w, k)));
 }
 
 namespace {
@@ -309,7 +328,8 @@ TEST_CASE("u.x at the border between lobes stays in [0,1) for each", "[layered]"
         const auto any = [&] { return spy{static_cast<float>(random.log_between(1e-6, 1)), &largest, &least}; };
         const spy a = any(), b = any(), c = any();
         const float border = a.share / (a.share + b.share + c.share);
-        for (float u : {0.0f, border, std::nextafter(border, 0.0f), std::nextafter(border, 1.0f), 1 - 0x1p-24f, static_cast<float>(random()) * 0.9999f})
+        for (float u : {0.0f, border, std::nextafter(border, 0.0f), std::nextafter(border, 1.0f), 1 - 0x1p-24f,
+                        static_cast<float>(random()) * 0.9999f})
             if (u < 1) failed += sum{a, b, c}.sample({0, 0, 1}, {u, 0.5f}).pdf == 0;
     }
     CHECK(failed == 0);
@@ -329,20 +349,26 @@ TEST_CASE("glTF: metallic 1 is the bare metal, metallic 0 the dielectric", "[lay
     double worst = 0;
     for (int i = 0; i < 10000; ++i) {
         const auto v = random.grazing_direction<float>(1e-3), l = random.grazing_direction<float>(1e-3);
-        same = same && metal.f(v, l) == bare.f(v, l) && metal.f_cos(v, l) == bare.f_cos(v, l) && metal.pdf(v, l) == bare.pdf(v, l);
+        same = same && metal.f(v, l) == bare.f(v, l) && metal.f_cos(v, l) == bare.f_cos(v, l) &&
+               metal.pdf(v, l) == bare.pdf(v, l);
         const vec2<float> u{static_cast<float>(random()) * 0.9999f, static_cast<float>(random()) * 0.9999f};
         same = same && metal.sample(v, u).l == bare.sample(v, u).l;
         const float v_h = lobe::dot(v, lobe::half_vector(v, l)), Fc = std::pow(1 - v_h, 5.0f);
-        const vec3<float> expected = polish.f(v, l) + gold * (0.96f * (1 - Fc) / static_cast<float>(pi)), got = plastic.f(v, l);
-        for (int c = 0; c < 3; ++c) worst = larger(worst, std::abs(static_cast<double>(got[c]) / static_cast<double>(expected[c]) - 1));
+        const vec3<float> expected = polish.f(v, l) + gold * (0.96f * (1 - Fc) / static_cast<float>(pi)),
+                          got = plastic.f(v, l);
+        for (int c = 0; c < 3; ++c)
+            worst = larger(worst, std::abs(static_cast<double>(got[c]) / static_cast<double>(expected[c]) - 1));
     }
     CHECK(same);
     CHECK(worst < 100 * 6e-8);
     // half way: F0 = lerp(0.04, base, metallic), c_diff = base (1 - metallic), by appendix B's own words
     const vec3<double> v = view(0.6), l{0, 0.6, 0.8};
-    const double F0 = 0.5 * 0.04 + 0.5 * 0.8, F = F0 + (1 - F0) * std::pow(1 - lobe::dot(v, lobe::half_vector(v, l)), 5.0);
-    CHECK(lobe::metallic_roughness(0.8, 0.5, alpha{0.25}).f(v, l) == Catch::Approx(gloss(0.25, F0).f(v, l) + (1 - F) * 0.4 / pi));
-    CHECK(lobe::metallic_roughness(0.8, 0.5, 0.5, 1e-4).f(v, l) == lobe::metallic_roughness(0.8, 0.5, alpha{0.25}).f(v, l));
+    const double F0 = 0.5 * 0.04 + 0.5 * 0.8,
+                 F = F0 + (1 - F0) * std::pow(1 - lobe::dot(v, lobe::half_vector(v, l)), 5.0);
+    CHECK(lobe::metallic_roughness(0.8, 0.5, alpha{0.25}).f(v, l) ==
+          Catch::Approx(gloss(0.25, F0).f(v, l) + (1 - F) * 0.4 / pi));
+    CHECK(lobe::metallic_roughness(0.8, 0.5, 0.5, 1e-4).f(v, l) ==
+          lobe::metallic_roughness(0.8, 0.5, alpha{0.25}).f(v, l));
     CHECK(lobe::metallic_roughness(0.8, 0.5, 0.0, 1e-4).width() == vec2<double>{1e-4, 1e-4});
     static_assert(!decltype(lobe::metallic_roughness(0.8, 0.5, alpha_xy{0.1, 0.2}))::isotropic);
     CHECK(aborts([] { (void)lobe::metallic_roughness(0.8, 1.5, alpha{0.25}); }));
@@ -353,8 +379,9 @@ TEST_CASE("glTF: metallic 1 is the bare metal, metallic 0 the dielectric", "[lay
 TEST_CASE("Disney's clear coat", "[layered]") {
     // The F = 1 furnace of GTR1 under a GGX masking of alpha 0.25 makes light; GTR1 under its own does not
     const lobe::gtr gtr1{alpha{0.1}, 1.0};
-    const microfacet disney{lobe::masked_by{gtr1, ggx{alpha{0.25}}}, lobe::smith_separable{}, lobe::perfect_reflector{}};
-    const microfacet smith{gtr1, smith_correlated{}, lobe::perfect_reflector{}};
+    const microfacet disney{lobe::masked_by{gtr1, ggx{alpha{0.25}}}, lobe::smith_separable{},
+                            lobe::perfect_reflector{}};
+    const microfacet smith{lobe::tabulated{gtr1}, smith_correlated{}, lobe::perfect_reflector{}};
     const double printed[][2] = {{1, 0.81}, {0.5, 0.85}, {0.1, 1.14}};
     for (const auto& [mu, E] : printed) {
         CHECK(std::abs(lobe::directional_albedo(disney, mu).value - E) < 0.006);
@@ -368,7 +395,8 @@ TEST_CASE("two specular lobes lose no more than the duller", "[layered]") {
     const sum both{weighted{0.7, sharp}, weighted{0.3, dull}};
     for (double mu : {0.05, 0.5, 1.0})
         CHECK(lobe::directional_albedo(both, mu).value ==
-              Catch::Approx(0.7 * lobe::directional_albedo(sharp, mu) + 0.3 * lobe::directional_albedo(dull, mu)).epsilon(1e-9));
+              Catch::Approx(0.7 * lobe::directional_albedo(sharp, mu) + 0.3 * lobe::directional_albedo(dull, mu))
+                  .epsilon(1e-9));
     CHECK(aborts([] { (void)weighted{-0.1, lambert{0.5}}; }));
 }
 
@@ -377,8 +405,9 @@ TEST_CASE("compositions: below the horizon all is zero, and nothing is ever NaN"
     const auto E = [](float mu) { return vec3<float>{0.04f, 0.1f, 0.2f} + (1 - mu) * 0.3f; };
     const microfacet lobe{ggx{alpha{0.01f}}, smith_correlated{}, schlick{vec3<float>{0.04f, 0.1f, 0.2f}}};
     const float tiny = 1e-6f, wide = std::sqrt(1 - tiny * tiny);
-    const vec3<float> directions[] = {{0, 0, 1},  {0, 0, -1},   {1, 0, 0},        {-1, 0, 0},       {0.6f, 0, 0.8f},       {-0.6f, 0, -0.8f},
-                                      {0, -1, 0}, {0.6f, 0, -0.8f}, {wide, 0, tiny}, {-wide, 0, tiny}, {0, wide, 0x1p-120f}, {-0.6f, 0, 0.8f}};
+    const vec3<float> directions[] = {
+        {0, 0, 1},  {0, 0, -1},       {1, 0, 0},       {-1, 0, 0},       {0.6f, 0, 0.8f},      {-0.6f, 0, -0.8f},
+        {0, -1, 0}, {0.6f, 0, -0.8f}, {wide, 0, tiny}, {-wide, 0, tiny}, {0, wide, 0x1p-120f}, {-0.6f, 0, 0.8f}};
     int bad = 0;
     const auto verify = [&](const auto& b) {
         for (const auto& v : directions) {
@@ -390,7 +419,8 @@ TEST_CASE("compositions: below the horizon all is zero, and nothing is ever NaN"
             }
             for (const float x : {0.0f, 0.3f, 0.8f, 1 - 0x1p-24f}) {
                 const auto s = b.sample(v, {x, 0.4f});
-                for (const float c : {s.pdf, s.weight.x, s.weight.y, s.weight.z}) bad += s.pdf > 0 ? !(c >= 0) || v.z <= 0 : c != 0;
+                for (const float c : {s.pdf, s.weight.x, s.weight.y, s.weight.z})
+                    bad += s.pdf > 0 ? !(c >= 0) || v.z <= 0 : c != 0;
                 if (!(s.pdf > 0)) bad += s.l != vec3<float>(0, 0, 1);
             }
         }
@@ -428,9 +458,9 @@ TEST_CASE("compositions on packs: lane by lane what one number gives", "[layered
             const vec3<double> vi{in[0][lane], in[1][lane], in[2][lane]};
             const auto one = narrow.sample(vi, {in[3][lane], in[4][lane]});
             const auto at = narrow.evaluate(vi, one.l);
-            worst =
-                larger({worst, std::abs(s.l.x.get(lane) - one.l.x), std::abs(s.weight.get(lane) - one.weight),
-                        std::abs(s.pdf.get(lane) - one.pdf), std::abs(e.pdf.get(lane) - at.pdf), std::abs(e.f_cos.get(lane) - at.f_cos)});
+            worst = larger({worst, std::abs(s.l.x.get(lane) - one.l.x), std::abs(s.weight.get(lane) - one.weight),
+                            std::abs(s.pdf.get(lane) - one.pdf), std::abs(e.pdf.get(lane) - at.pdf),
+                            std::abs(e.f_cos.get(lane) - at.f_cos)});
         }
     }
     CHECK(worst < 1e-11);  // rounding, times the slope of a lobe of alpha 0.15: pdf up to 14
@@ -452,9 +482,11 @@ struct unsampled {
 TEST_CASE("a composition takes no more room than its parts", "[layered]") {
     const auto gltf = lobe::metallic_roughness(vec3<float>{0.5f}, 0.0f, alpha{0.3f});
     static_assert(sizeof(microfacet{ggx{alpha{0.3f}}, smith_correlated{}, schlick{vec3<float>{0.5f}}}) == 16);
-    static_assert(sizeof(gltf) <= 16 + 12 + 12 + 4);  // lobe, base, the coupling's own F, a word that keeps the sum and a lobe apart
+    // lobe, base, the coupling's own F, a word that keeps the sum and a lobe apart
+    static_assert(sizeof(gltf) <= 16 + 12 + 12 + 4);
     CHECK(gltf.width() == vec2<float>{0.3f, 0.3f});
     // parts that cannot be sampled make a sum that cannot, and says so
-    static_assert(lobe::brdf<sum<unsampled, lambert<double>>> && !lobe::samplable_brdf<sum<unsampled, lambert<double>>>);
+    static_assert(lobe::brdf<sum<unsampled, lambert<double>>> &&
+                  !lobe::samplable_brdf<sum<unsampled, lambert<double>>>);
     static_assert(lobe::samplable_brdf<decltype(gltf)>);
 }

@@ -33,8 +33,8 @@ vec3<double> at(double mu, double phi) {
     return {sine * std::cos(phi), sine * std::sin(phi), mu};
 }
 
-/// The equations as printed, in long double, of the numbers that the library gets: an independent transcription. (The azimuth
-/// as a difference of two loses digits that double has not.)
+/// The equations as printed, in long double, of the numbers that the library gets: an independent transcription. (The
+/// azimuth as a difference of two loses digits that double has not.)
 template <class T>
 struct printed {
     real ax, ay;
@@ -66,8 +66,8 @@ struct printed {
     }
 };
 
-/// |G1 - Smith's of GGX| over roughness 0.05 to 1: the largest over cosines from `least` to 1, evenly in the logarithm, and
-/// the root mean square over cosines evenly in (0,1).
+/// |G1 - Smith's of GGX| over roughness 0.05 to 1: the largest over cosines from `least` to 1, evenly in the logarithm,
+/// and the root mean square over cosines evenly in (0,1).
 struct deviation {
     double largest, rms;
 };
@@ -80,7 +80,9 @@ deviation from_smith(K k_of_roughness, double least = 1e-6) {
             const double r = 0.05 + 0.95 * i / (n - 1);
             const ggx ndf{alpha{r * r}};
             const schlick_ggx model{k_of_roughness(r)};
-            const auto error = [&](const vec3<double>& v) { return std::abs(model.G1(ndf, v) - smith_correlated{}.G1(ndf, v)); };
+            const auto error = [&](const vec3<double>& v) {
+                return std::abs(model.G1(ndf, v) - smith_correlated{}.G1(ndf, v));
+            };
             largest = larger(largest, error(at(std::pow(least, static_cast<double>(j) / (n - 1)), 0)));
             const double even = error(at((j + 0.5) / n, 0));
             squares += even * even;
@@ -131,8 +133,10 @@ TEST_CASE("masking: the order of the models", "[masking]") {
                        G2(smith_correlated{}) <= G2(smith_direction_correlated{}) * slack &&
                        G2(smith_direction_correlated{}) <= least * slack;
         const schlick_ggx approximation{lobe::k_from_alpha(alpha{round.width().x})};
-        ordered = ordered && approximation.G2(round, v, l) <= std::min(approximation.G1(round, v), approximation.G1(round, l)) * slack;
-        ordered = ordered && smith_hammon{}.G2(round, v, l) <= std::min(smith_hammon{}.G1(round, v), smith_hammon{}.G1(round, l)) * slack;
+        ordered = ordered && approximation.G2(round, v, l) <=
+                                 std::min(approximation.G1(round, v), approximation.G1(round, l)) * slack;
+        ordered = ordered && smith_hammon{}.G2(round, v, l) <=
+                                 std::min(smith_hammon{}.G1(round, v), smith_hammon{}.G1(round, l)) * slack;
         REQUIRE(ordered);
     }
 }
@@ -147,20 +151,23 @@ TEMPLATE_TEST_CASE("masking: the printed equations, in ULP over the whole domain
         const ggx iso{alpha<T>(ax)};
         const ggx aniso{alpha_xy<T>(ax, ay)};
         const printed<T> truth{real(ax), real(ay), v, l};
-        direction = larger(direction, ulp_error(smith_direction_correlated{}.G2(aniso, v, l), truth.direction_correlated()));
+        direction =
+            larger(direction, ulp_error(smith_direction_correlated{}.G2(aniso, v, l), truth.direction_correlated()));
         hammon = larger(hammon, ulp_error(smith_hammon{}.G2(iso, v, l), truth.hammon()));
         const schlick_ggx approximation{lobe::k_from_alpha(alpha<T>(ax))};
         schlick = larger(schlick, ulp_error(approximation.G2(iso, v, l), truth.schlick(real(ax) / 2)));
         if (lobe::dot(v, l) > T(-0.5)) cavity = larger(cavity, ulp_error(v_cavity{}.G2(iso, v, l), truth.cavity()));
     }
-    INFO("direction-correlated " << direction << ", Hammon " << hammon << ", Schlick " << schlick << ", V-cavities " << cavity << " ULP");
+    INFO("direction-correlated " << direction << ", Hammon " << hammon << ", Schlick " << schlick << ", V-cavities "
+                                 << cavity << " ULP");
     CHECK(direction <= 6);
     CHECK(hammon <= 4);
     CHECK(schlick <= 5);
     CHECK(cavity <= 8);
 }
 
-TEMPLATE_TEST_CASE("direction-correlated masking: its limits in the azimuth, and where there is none", "[masking]", float, double) {
+TEMPLATE_TEST_CASE("direction-correlated masking: its limits in the azimuth, and where there is none", "[masking]",
+                   float, double) {
     using T = TestType;
     const T last_place = std::numeric_limits<T>::epsilon();
     const ggx ndf{alpha<T>(T(0.5))};
@@ -172,21 +179,25 @@ TEMPLATE_TEST_CASE("direction-correlated masking: its limits in the azimuth, and
         // phi = 0: of two along one azimuth, what one sees is lit
         const vec3<T> v = view(mu_v, 0), l = view(mu_l, 0), back = view(mu_l, 3.141592653589793);
         CHECK(std::abs(model.G2(ndf, v, l) / std::min(model.G1(ndf, v), model.G1(ndf, l)) - 1) <= 8 * last_place);
-        // phi = pi: 4.41 pi/(4.41 pi + 1) = 0.93268, and so between min(G1,G1) and the height-correlated form, near the latter
+        // phi = pi: 4.41 pi/(4.41 pi + 1) = 0.93268, and so between min(G1,G1) and the height-correlated form, near the
+        // latter
         const T a = ndf.lambda(v), b = ndf.lambda(l);
-        const double opposite = 1 / (1 + static_cast<double>(std::max(a, b)) + 0.932683 * static_cast<double>(std::min(a, b)));
+        const double opposite =
+            1 / (1 + static_cast<double>(std::max(a, b)) + 0.932683 * static_cast<double>(std::min(a, b)));
         CHECK(static_cast<double>(model.G2(ndf, v, back)) == Catch::Approx(opposite).epsilon(2e-6));
         // l = n, and ever nearer to it, from any side: G1(v)
         const vec3<T> n{0, 0, 1};
         CHECK(std::abs(model.G2(ndf, v, n) / model.G1(ndf, v) - 1) <= 8 * last_place);
         CHECK(std::abs(model.G2(ndf, n, v) / model.G1(ndf, v) - 1) <= 8 * last_place);
         for (const T tiny : {T(1e-3), T(1e-8), T(1e-19), T(1e-25), T(1e-38)})
-            for (const vec3<T>& near : {vec3<T>{tiny, 0, 1}, vec3<T>{-tiny, 0, 1}, vec3<T>{0, tiny, 1}, vec3<T>{-tiny, -tiny, 1}})
+            for (const vec3<T>& near :
+                 {vec3<T>{tiny, 0, 1}, vec3<T>{-tiny, 0, 1}, vec3<T>{0, tiny, 1}, vec3<T>{-tiny, -tiny, 1}})
                 // Lambda(near) = tiny^2/16: at most 1e-7
                 CHECK(std::abs(model.G2(ndf, v, near) / model.G1(ndf, v) - 1) <= 8 * last_place + tiny * tiny / 8);
     }
     CHECK(model.G2(ndf, vec3<T>{0, 0, 1}, vec3<T>{0, 0, 1}) == 1);
-    // 90 degrees, by hand: Lambda = (sqrt(1 + 0.25 * 3) - 1)/2 = 0.161438 at mu = 0.5; lambda = 4.41 (pi/2)/(4.41 (pi/2) + 1) = 0.873843
+    // 90 degrees, by hand: Lambda = (sqrt(1 + 0.25 * 3) - 1)/2 = 0.161438 at mu = 0.5; lambda = 4.41 (pi/2)/(4.41
+    // (pi/2) + 1) = 0.873843
     CHECK(static_cast<double>(model.G2(ndf, view(0.5, 0), view(0.5, 1.5707963267948966))) ==
           Catch::Approx(1 / (1 + 0.161438 * 1.873843)).epsilon(1e-5));
 }
@@ -200,13 +211,16 @@ TEST_CASE("Hammon's approximation: exact at alpha 1, too dark by up to 0.233", "
         if (std::abs(smith_hammon{}.G2(rough, v, l) / smith_correlated{}.G2(rough, v, l) - 1) > 1e-15) largest = 1;
     }
     CHECK(largest == 0);
-    // For cosines x alpha of a small alpha, G2 is x/sqrt(1 + x^2) and x/(1 + x): 0.2327 apart at x = 1.6, and nowhere more.
+    // For cosines x alpha of a small alpha, G2 is x/sqrt(1 + x^2) and x/(1 + x): 0.2327 apart at x = 1.6, and nowhere
+    // more.
     const int n = 60;
     double largest_from_001 = 0;
     for (int i = 0; i <= n; ++i)
         for (int j = 0; j <= n; ++j)
             for (int k = 0; k <= j; ++k) {
-                const auto spread = [&](double least, int step) { return std::pow(least, static_cast<double>(step) / n); };
+                const auto spread = [&](double least, int step) {
+                    return std::pow(least, static_cast<double>(step) / n);
+                };
                 const ggx ndf{alpha{spread(1e-4, i)}};
                 const auto error = [&](double least) {
                     const vec3<double> v = at(spread(least, j), 0), l = at(spread(least, k), 0);
@@ -217,8 +231,9 @@ TEST_CASE("Hammon's approximation: exact at alpha 1, too dark by up to 0.233", "
                 largest_from_001 = larger(largest_from_001, -error(0.01));
             }
     INFO(largest << ", " << largest_from_001 << " for cosines from 0.01; brighter by " << brightest);
-    CHECK(largest == Catch::Approx(0.2327).margin(0.001));  // the grid is off its top by at most 12 % in x: 1e-3 of the value
-    CHECK(largest_from_001 > 0.22);                         // 0.22 on a coarser grid; the top is a ridge at small alpha
+    // the grid is off its top by at most 12 % in x: 1e-3 of the value
+    CHECK(largest == Catch::Approx(0.2327).margin(0.001));
+    CHECK(largest_from_001 > 0.22);  // 0.22 on a coarser grid; the top is a ridge at small alpha
     CHECK(brightest < 1e-15);
     // G1 is what is left of G2 when the other direction is the normal
     for (double mu : {1e-6, 0.1, 0.7, 1.0})
@@ -241,8 +256,9 @@ TEST_CASE("Schlick-GGX: each convention of k, and how far it is from Smith's G1"
     const deviation original = from_smith([](double r) { return lobe::k_schlick1994(r * r / std::sqrt(2.0)); });
     const auto r4 = [](double r) { return lobe::schlick_k{r * r * r * r / 2}; };
     const deviation misread = from_smith(r4, 0.001), misread_everywhere = from_smith(r4);
-    INFO(k_from_alpha.largest << ' ' << k_from_alpha.rms << ", UE4 " << k_ue4.largest << ' ' << k_ue4.rms << ", misread " << misread.largest
-                              << ' ' << misread_everywhere.largest << ", original " << original.largest << ' ' << original.rms);
+    INFO(k_from_alpha.largest << ' ' << k_from_alpha.rms << ", UE4 " << k_ue4.largest << ' ' << k_ue4.rms
+                              << ", misread " << misread.largest << ' ' << misread_everywhere.largest << ", original "
+                              << original.largest << ' ' << original.rms);
     CHECK(k_from_alpha.largest == Catch::Approx(0.162).margin(0.001));
     CHECK(k_from_alpha.rms == Catch::Approx(0.050).margin(0.001));
     CHECK(k_ibl.largest == Catch::Approx(k_from_alpha.largest).epsilon(1e-12));
@@ -312,9 +328,9 @@ TEST_CASE("no number is taken for a k, no alpha for a roughness, no two widths f
 }
 
 TEST_CASE("V-cavities: what v sees of them adds up to their area, cos(theta_v)", "[masking]") {
-    // int max(0, v.m) G1(v,m) D(m) dm = v.n, for any D symmetric about n (Heitz 2014): what makes a G1 one of a surface. Slopes
-    // r (ax cos phi, ay sin phi), r = tan(chi). G1 has a kink and v.m an edge: midpoint sums converge with h^1.5 at worst, and
-    // 1200 steps give 5e-5.
+    // int max(0, v.m) G1(v,m) D(m) dm = v.n, for any D symmetric about n (Heitz 2014): what makes a G1 one of a
+    // surface. Slopes r (ax cos phi, ay sin phi), r = tan(chi). G1 has a kink and v.m an edge: midpoint sums converge
+    // with h^1.5 at worst, and 1200 steps give 5e-5.
     for (const double mu : {0.02, 0.3, 0.8, 1.0})
         for (const vec2<double> a : {vec2<double>{0.2, 0.2}, vec2<double>{1, 1}, vec2<double>{0.1, 0.7}}) {
             const ggx ndf{alpha_xy{a.x, a.y}};
@@ -346,14 +362,17 @@ TEST_CASE("V-cavities: G2 is the smaller of two G1, 1 near the normal, finite at
         const vec3<double> v = random.grazing_direction(1e-3), l = random.grazing_direction(1e-3);
         if (lobe::dot(v, l) < -0.99) continue;  // where v + l cancels
         const vec3<double> m = lobe::half_vector(v, l);
-        worst = larger(worst, std::abs(v_cavity{}.G2(ndf, v, l) / std::min(v_cavity{}.G1(v, m), v_cavity{}.G1(l, m)) - 1));
+        worst =
+            larger(worst, std::abs(v_cavity{}.G2(ndf, v, l) / std::min(v_cavity{}.G1(v, m), v_cavity{}.G1(l, m)) - 1));
     }
     CHECK(worst < 1e-13);  // 1e-16 over |v + l|^2, which is at least 0.02
     CHECK(v_cavity{}.G2(ndf, at(0.9, 0), at(0.9, 2)) == 1);
-    // by hand: v = (0.6, 0, 0.8), l = (0, 0.8, 0.6): s.s = 2 + 0.96 = 2.96, s.z = 1.4, (v.m)/(n.m) = 2.96/2.8; G2 = 2 * 0.6 * 2.8/2.96 > 1
+    // by hand: v = (0.6, 0, 0.8), l = (0, 0.8, 0.6): s.s = 2 + 0.96 = 2.96, s.z = 1.4, (v.m)/(n.m) = 2.96/2.8; G2 = 2 *
+    // 0.6 * 2.8/2.96 > 1
     CHECK(v_cavity{}.G2(ndf, vec3<double>{0.6, 0, 0.8}, vec3<double>{0, 0.8, 0.6}) == 1);
     // v = (0.8, 0, 0.6), l = (0.96, 0, 0.28): s.s = 2 + 1.872, s.z = 0.88; 2 * 0.28 * 2 * 0.88/3.872
-    CHECK(v_cavity{}.G2(ndf, vec3<double>{0.8, 0, 0.6}, vec3<double>{0.96, 0, 0.28}) == Catch::Approx(0.9856 / 3.872).epsilon(1e-14));
+    CHECK(v_cavity{}.G2(ndf, vec3<double>{0.8, 0, 0.6}, vec3<double>{0.96, 0, 0.28}) ==
+          Catch::Approx(0.9856 / 3.872).epsilon(1e-14));
     // at grazing angles V tends to 1/(4 den), den = |s|^2/4 at v.z = 0
     const vec3<float> v{1, 0, 1e-30f}, l{0, 0.8f, 0.6f};
     CHECK(v_cavity{}.visibility(ggx{alpha{0.5f}}, v, l) == Catch::Approx(1 / lobe::dot(v + l, v + l)));
@@ -362,8 +381,8 @@ TEST_CASE("V-cavities: G2 is the smaller of two G1, 1 near the normal, finite at
 }
 
 TEST_CASE("no masking model makes light", "[masking]") {
-    // E(mu) <= 1 with F = 1: what masking models promise, and measured here because four of them are fits. The nearest to 1 is
-    // alpha 0.01 at the normal, 1 - 1e-4.
+    // E(mu) <= 1 with F = 1: what masking models promise, and measured here because four of them are fits. The nearest
+    // to 1 is alpha 0.01 at the normal, 1 - 1e-4.
     // Quadrature error at this order: below 1e-5, with the kinks of V-cavities too.
     const auto brightest = [](auto model_of) {
         double most = 0;
@@ -381,8 +400,9 @@ TEST_CASE("no masking model makes light", "[masking]") {
     const double schlick = brightest([](double a) { return schlick_ggx{lobe::k_from_alpha(alpha{a})}; });
     const double ue4 = brightest([](double a) { return schlick_ggx{lobe::k_ue4_direct(std::sqrt(a))}; });
     const double cavity = brightest([](double) { return v_cavity{}; });
-    INFO("separable " << separable << ", correlated " << correlated << ", direction-correlated " << direction << ", Hammon " << hammon
-                      << ", Schlick " << schlick << ", UE4 " << ue4 << ", V-cavities " << cavity);
+    INFO("separable " << separable << ", correlated " << correlated << ", direction-correlated " << direction
+                      << ", Hammon " << hammon << ", Schlick " << schlick << ", UE4 " << ue4 << ", V-cavities "
+                      << cavity);
     CHECK(separable <= 1);
     CHECK(correlated <= 1);
     CHECK(hammon <= 1);

@@ -27,14 +27,19 @@ namespace {
 constexpr double pi = 3.141592653589793;
 
 /// The equation as papers print it, on a normalised half vector, in long double: an independent transcription.
-long double printed_f(long double ax, long double ay, long double f0, bool correlated, const vec3<double>& v, const vec3<double>& l) {
+long double printed_f(long double ax, long double ay, long double f0, bool correlated, const vec3<double>& v,
+                      const vec3<double>& l) {
     using real = long double;
-    const real sx = real(v.x) + real(l.x), sy = real(v.y) + real(l.y), sz = real(v.z) + real(l.z), s = std::sqrt(sx * sx + sy * sy + sz * sz);
+    const real sx = real(v.x) + real(l.x), sy = real(v.y) + real(l.y), sz = real(v.z) + real(l.z),
+               s = std::sqrt(sx * sx + sy * sy + sz * sz);
     const real hx = sx / s, hy = sy / s, hz = sz / s, vh = hx * real(v.x) + hy * real(v.y) + hz * real(v.z);
     const real t = (hx / ax) * (hx / ax) + (hy / ay) * (hy / ay) + hz * hz;
     const real D = 1 / (3.14159265358979323846264338L * ax * ay * t * t);
     const auto Lambda = [&](const vec3<double>& w) {
-        return (std::sqrt(1 + (ax * ax * real(w.x) * real(w.x) + ay * ay * real(w.y) * real(w.y)) / (real(w.z) * real(w.z))) - 1) / 2;
+        return (std::sqrt(1 + (ax * ax * real(w.x) * real(w.x) + ay * ay * real(w.y) * real(w.y)) /
+                                  (real(w.z) * real(w.z))) -
+                1) /
+               2;
     };
     const real G = correlated ? 1 / (1 + Lambda(v) + Lambda(l)) : 1 / ((1 + Lambda(v)) * (1 + Lambda(l)));
     const real F = f0 + (1 - f0) * std::pow(1 - vh, real(5));
@@ -63,11 +68,14 @@ TEST_CASE("f is the printed equation", "[microfacet]") {
         const vec3<double> v = random.grazing_direction(1e-3), l = random.grazing_direction(1e-3);
         const microfacet correlated{ggx{alpha_xy{ax, ay}}, smith_correlated{}, schlick{f0}};
         const microfacet separable{ggx{alpha_xy{ax, ay}}, smith_separable{}, schlick{f0}};
-        worst = larger(worst, std::abs(correlated.f(v, l) / static_cast<double>(printed_f(ax, ay, f0, true, v, l)) - 1));
-        worst = larger(worst, std::abs(separable.f(v, l) / static_cast<double>(printed_f(ax, ay, f0, false, v, l)) - 1));
+        worst =
+            larger(worst, std::abs(correlated.f(v, l) / static_cast<double>(printed_f(ax, ay, f0, true, v, l)) - 1));
+        worst =
+            larger(worst, std::abs(separable.f(v, l) / static_cast<double>(printed_f(ax, ay, f0, false, v, l)) - 1));
         CHECK(std::abs(correlated.f_cos(v, l) / (correlated.f(v, l) * l.z) - 1) < 1e-15);
     }
-    // Both sides read v and l as given, whose rounding makes them 1e-16 off unit length; the printed v.h feels that 1/(v.h) times over.
+    // Both sides read v and l as given, whose rounding makes them 1e-16 off unit length; the printed v.h feels that
+    // 1/(v.h) times over.
     INFO(worst);
     CHECK(worst < 1e-12);
 }
@@ -99,7 +107,7 @@ TEST_CASE("Schlick's Fresnel: ends, middle, average", "[fresnel]") {
     CHECK(f(0.9) == Catch::Approx(0.0400096));
     CHECK(f.average() == Catch::Approx(0.0857142857142857));
     const schlick dim{vec3<double>{0.5, 0.3, 0.1}, vec3<double>{0.9, 0.8, 0.7}};
-    const lobe::detail::gauss_legendre<double> rule(8);  // exact: a polynomial of degree 6
+    const lobe::gauss_legendre<double> rule(8);  // exact: a polynomial of degree 6
     vec3<double> average(0);
     for (std::size_t i = 0; i < rule.x.size(); ++i) average += 2 * rule.w[i] * rule.x[i] * dim(rule.x[i]);
     CHECK(lobe::length(average - dim.average()) < 1e-15);
@@ -112,7 +120,8 @@ TEST_CASE("f is reciprocal to rounding", "[microfacet]") {
     for (double a : {0.01, 0.1, 1.0}) {
         CHECK(worst_reciprocity(microfacet{ggx{alpha{a}}, smith_correlated{}, schlick{0.5}}, 3) < 16 * 1.1e-16);
         CHECK(worst_reciprocity(microfacet{ggx{alpha_xy{a, 0.3}}, smith_separable{}, schlick{0.5}}, 4) < 16 * 1.1e-16);
-        CHECK(worst_reciprocity(microfacet{ggx{alpha{static_cast<float>(a)}}, smith_correlated{}, schlick{0.5f}}, 5) < 16 * 6e-8);
+        CHECK(worst_reciprocity(microfacet{ggx{alpha{static_cast<float>(a)}}, smith_correlated{}, schlick{0.5f}}, 5) <
+              16 * 6e-8);
     }
 }
 
@@ -120,8 +129,9 @@ TEST_CASE("below the horizon all is zero, and nothing is ever NaN", "[microfacet
     const microfacet brdf{ggx{alpha{0.01f}}, smith_correlated{}, schlick{vec3<float>{1, 0.5f, 0}}};
     const lobe::lambert diffuse{vec3<float>{0.5f}};
     const float tiny = 1e-6f, wide = std::sqrt(1 - tiny * tiny);
-    const vec3<float> directions[] = {{0, 0, 1},  {0, 0, -1},   {1, 0, 0},        {-1, 0, 0},       {0.6f, 0, 0.8f},       {-0.6f, 0, -0.8f},
-                                      {0, -1, 0}, {0.6f, 0, -0.8f}, {wide, 0, tiny}, {-wide, 0, tiny}, {0, wide, 0x1p-120f}, {-0.6f, 0, 0.8f}};
+    const vec3<float> directions[] = {
+        {0, 0, 1},  {0, 0, -1},       {1, 0, 0},       {-1, 0, 0},       {0.6f, 0, 0.8f},      {-0.6f, 0, -0.8f},
+        {0, -1, 0}, {0.6f, 0, -0.8f}, {wide, 0, tiny}, {-wide, 0, tiny}, {0, wide, 0x1p-120f}, {-0.6f, 0, 0.8f}};
     for (const auto& v : directions)
         for (const auto& l : directions) {
             const bool above = v.z > 0 && l.z > 0;
@@ -175,7 +185,8 @@ TEST_CASE("a reflectance is never negative, though rounding takes v.m above 1", 
 
 namespace {
 
-/// weight * pdf = f_cos, pdf(v, sample.l) = sample.pdf, evaluate = (f_cos, pdf), E[weight] = albedo, int pdf = success rate.
+/// weight * pdf = f_cos, pdf(v, sample.l) = sample.pdf, evaluate = (f_cos, pdf), E[weight] = albedo, int pdf = success
+/// rate.
 template <class B>
 void expect_consistent_sampling(const B& brdf, const vec3<double>& v, std::uint32_t count, double tolerance) {
     double mean_weight = 0, success = 0, worst = 0, shared = 0;
@@ -189,8 +200,10 @@ void expect_consistent_sampling(const B& brdf, const vec3<double>& v, std::uint3
         worst = larger({worst, std::abs(s.weight * s.pdf / e.f_cos - 1), std::abs(s.pdf / e.pdf - 1)});
     }
     const auto albedo = lobe::directional_albedo(brdf, v);
-    const auto pdf = lobe::hemisphere_integral([&](const vec3<double>& l) { return brdf.pdf(v, l); }, v, brdf.width(), false);
-    INFO("mean weight " << mean_weight << " albedo " << albedo.value << "; pdf integrates to " << pdf.value << ", successes " << success);
+    const auto pdf =
+        lobe::hemisphere_integral([&](const vec3<double>& l) { return brdf.pdf(v, l); }, v, brdf.width(), false);
+    INFO("mean weight " << mean_weight << " albedo " << albedo.value << "; pdf integrates to " << pdf.value
+                        << ", successes " << success);
     CHECK(std::abs(mean_weight - albedo.value) < tolerance);
     CHECK(std::abs(success - pdf.value) < tolerance);
     CHECK(pdf.value <= 1 + 1e-9);
@@ -208,10 +221,15 @@ TEST_CASE("samples follow their density and weights add up to the albedo", "[mic
             INFO("alpha " << a << " mu " << mu);
             const vec3<double> v{std::sqrt((1 - mu) * (1 + mu)) * 0.6, std::sqrt((1 - mu) * (1 + mu)) * 0.8, mu};
             expect_consistent_sampling(microfacet{ggx{alpha{a}}, smith_correlated{}, schlick{0.5}}, v, 1u << 18, 1e-4);
-            expect_consistent_sampling(microfacet{ggx{alpha_xy{a, 0.3}}, smith_separable{}, schlick{0.5}}, v, 1u << 18, 1e-4);
-            expect_consistent_sampling(microfacet{ggx{alpha_xy{0.3, a}}, smith_correlated{}, schlick{0.5}}, v, 1u << 18, 1e-4);
+            expect_consistent_sampling(microfacet{ggx{alpha_xy{a, 0.3}}, smith_separable{}, schlick{0.5}}, v, 1u << 18,
+                                       1e-4);
+            expect_consistent_sampling(microfacet{ggx{alpha_xy{0.3, a}}, smith_correlated{}, schlick{0.5}}, v, 1u << 18,
+                                       1e-4);
             // all normals: heavy-tailed weights at grazing angles (up to 56 at mu = 0.05), so only away from them
-            if (mu >= 0.5) expect_consistent_sampling(microfacet{ggx{alpha{a}}, smith_correlated{}, schlick{0.5}, lobe::all_normals{}}, v, 1u << 18, 5e-4);
+            if (mu >= 0.5)
+                expect_consistent_sampling(
+                    microfacet{ggx{alpha{a}}, smith_correlated{}, schlick{0.5}, lobe::all_normals{}}, v, 1u << 18,
+                    5e-4);
         }
     expect_consistent_sampling(lobe::lambert{0.7}, vec3<double>{0.6, 0, 0.8}, 1u << 10, 1e-12);
 }
@@ -219,14 +237,18 @@ TEST_CASE("samples follow their density and weights add up to the albedo", "[mic
 TEST_CASE("the success rate of visible normals is below 1 where facets reflect downwards", "[microfacet]") {
     const microfacet rough{ggx{alpha{1.0}}, smith_correlated{}, schlick{0.5}};
     const vec3<double> v{std::sqrt(0.75), 0, 0.5};
-    const auto pdf = lobe::hemisphere_integral([&](const vec3<double>& l) { return rough.pdf(v, l); }, v, rough.width(), true);
+    const auto pdf =
+        lobe::hemisphere_integral([&](const vec3<double>& l) { return rough.pdf(v, l); }, v, rough.width(), true);
     CHECK(pdf.value == Catch::Approx(2.0 / 3).epsilon(1e-6));  // rejection 0.333 at mu = 0.5, alpha = 1
 }
 
 TEST_CASE("the pdf of reflected visible normals integrates to 1 where none is lost", "[microfacet]") {
     const microfacet smooth{ggx{alpha{0.001}}, smith_correlated{}, schlick{0.5}};
-    const auto pdf = lobe::hemisphere_integral([&](const vec3<double>& l) { return smooth.pdf({0.6, 0, 0.8}, l); }, vec3<double>{0.6, 0, 0.8},
-                                               smooth.width(), true);
+    const auto pdf = lobe::hemisphere_integral(
+        [&](const vec3<double>& l) {
+            return smooth.pdf({0.6, 0, 0.8}, l);
+        },
+        vec3<double>{0.6, 0, 0.8}, smooth.width(), true);
     CHECK(std::abs(pdf.value - 1) < 2e-6);
 }
 
@@ -254,7 +276,8 @@ TEST_CASE("v and l antiparallel, down to the smallest cosines", "[microfacet]") 
             for (const vec3<T>& v : {vec3<T>{1, 0, z}, vec3<T>{T(0.6), T(-0.8), z}}) {
                 const vec3<T> l{-v.x, -v.y, z};
                 const auto e = brdf.evaluate(v, l);
-                for (const T x : {brdf.f(v, l), brdf.f_cos(v, l), brdf.pdf(v, l), e.f_cos, e.pdf}) bad += !(x >= 0 && std::isfinite(x));
+                for (const T x : {brdf.f(v, l), brdf.f_cos(v, l), brdf.pdf(v, l), e.f_cos, e.pdf})
+                    bad += !(x >= 0 && std::isfinite(x));
             }
         return bad;
     };
@@ -265,9 +288,12 @@ TEST_CASE("v and l antiparallel, down to the smallest cosines", "[microfacet]") 
 }
 
 TEST_CASE("a reflectance of another precision is none", "[microfacet]") {
-    static_assert(lobe::fresnel<schlick<float>, float> && !lobe::fresnel<schlick<float>, double> && !lobe::fresnel<schlick<double>, float>);
-    static_assert(!lobe::fresnel<schlick<vec3<float>>, double> && !lobe::fresnel<lobe::schlick_gaussian<vec3<float>>, double>);
-    static_assert(!lobe::fresnel<lobe::schlick_roughness<float>, double> && !lobe::fresnel<lobe::perfect_reflector<float>, double>);
+    static_assert(lobe::fresnel<schlick<float>, float> && !lobe::fresnel<schlick<float>, double> &&
+                  !lobe::fresnel<schlick<double>, float>);
+    static_assert(!lobe::fresnel<schlick<vec3<float>>, double> &&
+                  !lobe::fresnel<lobe::schlick_gaussian<vec3<float>>, double>);
+    static_assert(!lobe::fresnel<lobe::schlick_roughness<float>, double> &&
+                  !lobe::fresnel<lobe::perfect_reflector<float>, double>);
     static_assert(lobe::fresnel<lobe::perfect_reflector<>, double> && lobe::fresnel<lobe::perfect_reflector<>, float>);
     static_assert(std::same_as<decltype(lobe::perfect_reflector<vec3<float>>{}.average()), vec3<float>>);
     CHECK(lobe::perfect_reflector<vec3<float>>{}(0.3f) == vec3<float>(1));
@@ -279,10 +305,22 @@ namespace {
 struct bands {
     double value[5];
     explicit bands(double x) : value{x, x, x, x, x} {}
-    friend bands operator+(bands a, const bands& b) { for (int i = 0; i < 5; ++i) a.value[i] += b.value[i]; return a; }
-    friend bands operator-(bands a, const bands& b) { for (int i = 0; i < 5; ++i) a.value[i] -= b.value[i]; return a; }
-    friend bands operator*(bands a, const bands& b) { for (int i = 0; i < 5; ++i) a.value[i] *= b.value[i]; return a; }
-    friend bands operator*(bands a, double x) { for (double& y : a.value) y *= x; return a; }
+    friend bands operator+(bands a, const bands& b) {
+        for (int i = 0; i < 5; ++i) a.value[i] += b.value[i];
+        return a;
+    }
+    friend bands operator-(bands a, const bands& b) {
+        for (int i = 0; i < 5; ++i) a.value[i] -= b.value[i];
+        return a;
+    }
+    friend bands operator*(bands a, const bands& b) {
+        for (int i = 0; i < 5; ++i) a.value[i] *= b.value[i];
+        return a;
+    }
+    friend bands operator*(bands a, double x) {
+        for (double& y : a.value) y *= x;
+        return a;
+    }
 };
 
 }  // namespace

@@ -19,7 +19,8 @@ namespace {
 
 constexpr double pi = 3.141592653589793;
 
-/// back(a) of Student-t by its definition, int (x - a) P(x) dx over x > a: P, the slopes along one axis, falls as (1 + x^2/k)^-(k + 1/2).
+/// back(a) of Student-t by its definition, int (x - a) P(x) dx over x > a: P, the slopes along one axis, falls as (1 +
+/// x^2/k)^-(k + 1/2).
 real back_by_definition(real k, real a) {
     const auto P = [&](real x) { return std::exp(-(k + 0.5L) * std::log1p(x * x / k)); };
     const real scale = 1 / std::max<real>(1, 2 * a);  // of x - a, beyond which P falls
@@ -42,9 +43,11 @@ area_errors worst_area(T a, const Make& make, double least_lambda) {
         if (!(z < 1)) break;
         const T s = std::sqrt((1 - z) * (1 + z));
         const vec3<real> w{s, 0, z};
-        worst.area = larger(worst.area, static_cast<double>(std::abs(ndf.projected_area({s, 0, z}) / exact.projected_area(w) - 1)));
+        worst.area = larger(worst.area,
+                            static_cast<double>(std::abs(ndf.projected_area({s, 0, z}) / exact.projected_area(w) - 1)));
         const real lambda = exact.lambda(w);
-        if (lambda > least_lambda) worst.lambda = larger(worst.lambda, static_cast<double>(std::abs(ndf.lambda({s, 0, z}) / lambda - 1)));
+        if (lambda > least_lambda)
+            worst.lambda = larger(worst.lambda, static_cast<double>(std::abs(ndf.lambda({s, 0, z}) / lambda - 1)));
     }
     return worst;
 }
@@ -56,21 +59,26 @@ TEST_CASE("Student-t and Blinn-Phong: the closed area is its integral", "[ndf_ex
         for (real a : {0.0L, 0.1L, 0.7L, 1.2L, 1.3L, 2.0L, 3.0L}) {
             const real closed = lobe::student_t_shape<real>::from_k(k).back(a), integral = back_by_definition(k, a);
             INFO("k " << k << ", a " << a);
-            CHECK(std::abs(static_cast<double>(closed / integral - 1)) < 1e-8);  // the quadrature's: 1e-9, twice, near enough
+            // the quadrature's: 1e-9, twice, near enough
+            CHECK(std::abs(static_cast<double>(closed / integral - 1)) < 1e-8);
         }
 }
 
-TEMPLATE_TEST_CASE("Student-t and Blinn-Phong keep the digits of their areas at every exponent", "[ndf_extremes]", float, double) {
+TEMPLATE_TEST_CASE("Student-t and Blinn-Phong keep the digits of their areas at every exponent", "[ndf_extremes]",
+                   float, double) {
     using T = TestType;
     constexpr bool single = std::is_same_v<T, float>;
-    const double stated_area = single ? 3e-7 : 1e-14, stated_lambda = single ? 2e-6 : 1e-12, least_lambda = single ? 1e-4 : 1e-12;
+    const double stated_area = single ? 3e-7 : 1e-14, stated_lambda = single ? 2e-6 : 1e-12,
+                 least_lambda = single ? 1e-4 : 1e-12;
     const auto check = [&](const area_errors& worst, const std::string& name, double parameter) {
         INFO(name << ' ' << parameter << ": area " << worst.area << ", Lambda " << worst.lambda);
         CHECK(worst.area < stated_area);
         CHECK(worst.lambda < stated_lambda);
     };
     for (double a : {1e-4, 1e-3, 1e-2, 0.1, 0.3, 1.0})
-        check(worst_area(static_cast<T>(a), []<class U>(U x) { return lobe::blinn_phong{alpha<U>(x)}; }, least_lambda), "blinn_phong", a);
+        check(worst_area(
+                  static_cast<T>(a), []<class U>(U x) { return lobe::blinn_phong{alpha<U>(x)}; }, least_lambda),
+              "blinn_phong", a);
     for (double gamma : {1.5625, 3.0, 40.0, 1e3, 1e4, 1e6}) {
         const auto make = [&]<class U>(U x) { return lobe::student_t{alpha<U>(x), static_cast<U>(gamma)}; };
         check(worst_area(T(0.3f), make, least_lambda), "student_t", gamma);
@@ -103,11 +111,14 @@ TEST_CASE("rounding of D at wide widths and small exponents", "[ndf_extremes]") 
             for (int i = 0; i < 4000; i += 3) {
                 const auto m = direction(i);
                 const vec3<real> wide(m.x, m.y, m.z);
-                const double D = static_cast<double>(lobe::radial_profile<decltype(exact), real>(exact).D(wide, alpha<real>(a)));
+                const double D =
+                    static_cast<double>(lobe::radial_profile<decltype(exact), real>(exact).D(wide, alpha<real>(a)));
                 if (!(D > 1e-35)) continue;
                 const float value = lobe::radial_profile<decltype(shape), float>(shape).D(m, alpha<float>(a));
-                worst_abc = larger(worst_abc, ulp_error(value, D) /
-                                                  (8 * (1 + std::abs(std::log(D * pi * static_cast<double>(a) * static_cast<double>(a))))));
+                worst_abc = larger(
+                    worst_abc,
+                    ulp_error(value, D) /
+                        (8 * (1 + std::abs(std::log(D * pi * static_cast<double>(a) * static_cast<double>(a))))));
             }
         }
     INFO("abc: " << worst_abc << " of what is stated");
@@ -122,11 +133,13 @@ TEST_CASE("rounding of D at wide widths and small exponents", "[ndf_extremes]") 
                 const auto m = direction(i);
                 const vec3<real> wide(m.x, m.y, m.z);
                 const double slope = static_cast<double>(m.x) / static_cast<double>(m.z) / static_cast<double>(a);
-                const double D = static_cast<double>(lobe::radial_profile<decltype(exact), real>(exact).D(wide, alpha<real>(a)));
+                const double D =
+                    static_cast<double>(lobe::radial_profile<decltype(exact), real>(exact).D(wide, alpha<real>(a)));
                 if (!(D * std::min(1.0, static_cast<double>(a) * static_cast<double>(a)) > 1e-36)) continue;
                 const float value = lobe::radial_profile<decltype(shape), float>(shape).D(m, alpha<float>(a));
-                worst_power = larger(worst_power, ulp_error(value, D) / (8 * std::max(1.0, static_cast<double>(p)) *
-                                                                         (1 + std::pow(slope, 2 * static_cast<double>(p)))));
+                worst_power =
+                    larger(worst_power, ulp_error(value, D) / (8 * std::max(1.0, static_cast<double>(p)) *
+                                                               (1 + std::pow(slope, 2 * static_cast<double>(p)))));
             }
         }
     INFO("exponential_power: " << worst_power << " of what is stated");

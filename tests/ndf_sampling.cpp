@@ -14,7 +14,8 @@ using lobe::vec3;
 
 namespace {
 
-/// pdf * |d m / d u| - 1, worst over random u away from what is not smooth: the edges of the square, and the u.x in `kinks`.
+/// pdf * |d m / d u| - 1, worst over random u away from what is not smooth: the edges of the square, and the u.x in
+/// `kinks`.
 template <class Map, class Pdf>
 double jacobian_error(Map map, Pdf pdf, std::uint64_t seed, int count, std::vector<double> kinks = {}) {
     random_numbers random(seed);
@@ -65,13 +66,16 @@ TEST_CASE("samples of all normals have the density they state", "[ndf]") {
         every_isotropic(a, [&](const std::string& name, const auto& ndf, double) {
             INFO(name << ' ' << a);
             const std::vector<double> kinks = name == "mixture" ? std::vector<double>{0.7} : std::vector<double>{};
-            CHECK(jacobian_error([&](vec2<double> u) { return ndf.sample(u); }, [&](vec3<double> m) { return ndf.pdf(m); }, 1, 100, kinks) ==
-                  Catch::Approx(0).margin(name == "mixture" ? 1e300 : 1e-6));  // a mixture covers the sphere twice: see chi-squared
+            CHECK(jacobian_error([&](vec2<double> u) { return ndf.sample(u); },
+                                 [&](vec3<double> m) { return ndf.pdf(m); }, 1, 100, kinks) ==
+                  // a mixture covers the sphere twice: see chi-squared
+                  Catch::Approx(0).margin(name == "mixture" ? 1e300 : 1e-6));
         });
         every_anisotropic(a, 0.3, [&](const std::string& name, const auto& ndf, double) {
             INFO(name << ' ' << a << ", 0.3");
             if (name != "mixture")
-                CHECK(jacobian_error([&](vec2<double> u) { return ndf.sample(u); }, [&](vec3<double> m) { return ndf.pdf(m); }, 2, 100) < 1e-6);
+                CHECK(jacobian_error([&](vec2<double> u) { return ndf.sample(u); },
+                                     [&](vec3<double> m) { return ndf.pdf(m); }, 2, 100) < 1e-6);
         });
     }
 }
@@ -79,14 +83,15 @@ TEST_CASE("samples of all normals have the density they state", "[ndf]") {
 TEST_CASE("samples of visible normals have the density they state", "[ndf]") {
     random_numbers random(3);
     const auto compare = [&](const auto& ndf, double ax, double ay, int count) {
-        for (double z : {0.9, 0.3, 0.0017, -0.2}) {  // 0.0017: 89.9 degrees; from below the horizon, as the random walk does
+        // 0.0017: 89.9 degrees; from below the horizon, as the random walk does
+        for (double z : {0.9, 0.3, 0.0017, -0.2}) {
             const double phi = random.between(0, 6), s = std::sqrt((1 - z) * (1 + z));
             const vec3<double> v{s * std::cos(phi), s * std::sin(phi), z};
             if (z < 0 && ndf.projected_area(v) < 1e-6) continue;
             INFO("z " << z);
             const double kink = share_below_cotangent(ndf, ax, ay, v);
-            CHECK(jacobian_error([&](vec2<double> u) { return ndf.sample_visible(v, u); }, [&](vec3<double> m) { return ndf.pdf_visible(v, m); }, 4,
-                                 count, {kink}) < 1e-6);
+            CHECK(jacobian_error([&](vec2<double> u) { return ndf.sample_visible(v, u); },
+                                 [&](vec3<double> m) { return ndf.pdf_visible(v, m); }, 4, count, {kink}) < 1e-6);
         }
     };
     for (double a : {0.001, 0.1, 0.7, 1.0}) {
@@ -97,21 +102,22 @@ TEST_CASE("samples of visible normals have the density they state", "[ndf]") {
         compare(lobe::student_t{alpha_xy{a, 0.3}, 4.0}, a, 0.3, 20);
         compare(lobe::hyper_cauchy{alpha_xy{a, 0.3}, 2.5}, a / std::sqrt(1.5), 0.3 / std::sqrt(1.5), 20);
         compare(lobe::blinn_phong{alpha{a}}, a, a, 20);
-        compare(lobe::exponential_power{alpha{a}, 0.5}, a, a, 20);
-        compare(lobe::exponential_power{alpha_xy{a, 0.3}, 2.0}, a, 0.3, 20);
-        compare(lobe::gtr{alpha{a}, 1.0}, a, a, 20);
-        compare(lobe::gtr{alpha{a}, 3.0}, a, a, 20);
-        compare(lobe::abc{alpha{a}, 1.5}, a, a, 20);
-        compare(lobe::sgd{alpha{a}, 1.5}, a, a, 20);
-        compare(lobe::phong{alpha{a}}, a, a, 20);
+        compare(lobe::tabulated{lobe::exponential_power{alpha{a}, 0.5}}, a, a, 20);
+        compare(lobe::tabulated{lobe::exponential_power{alpha_xy{a, 0.3}, 2.0}}, a, 0.3, 20);
+        compare(lobe::tabulated{lobe::gtr{alpha{a}, 1.0}}, a, a, 20);
+        compare(lobe::tabulated{lobe::gtr{alpha{a}, 3.0}}, a, a, 20);
+        compare(lobe::tabulated{lobe::abc{alpha{a}, 1.5}}, a, a, 20);
+        compare(lobe::tabulated{lobe::sgd{alpha{a}, 1.5}}, a, a, 20);
+        compare(lobe::tabulated{lobe::phong{alpha{a}}}, a, a, 20);
     }
     // SGGX, from anywhere
     for (int i = 0; i < 20; ++i) {
-        const lobe::sggx flakes{lobe::frame<double>(random.direction()),
-                                vec3<double>{random.log_between(0.05, 1), random.log_between(0.05, 1), random.log_between(0.05, 1)}};
+        const lobe::sggx flakes{
+            lobe::frame<double>(random.direction()),
+            vec3<double>{random.log_between(0.05, 1), random.log_between(0.05, 1), random.log_between(0.05, 1)}};
         const vec3<double> v = random.direction();
-        CHECK(jacobian_error([&](vec2<double> u) { return flakes.sample_visible(v, u); }, [&](vec3<double> m) { return flakes.pdf_visible(v, m); }, 5,
-                             100) < 1e-6);
+        CHECK(jacobian_error([&](vec2<double> u) { return flakes.sample_visible(v, u); },
+                             [&](vec3<double> m) { return flakes.pdf_visible(v, m); }, 5, 100) < 1e-6);
     }
 }
 
@@ -121,7 +127,8 @@ TEST_CASE("samples at the corners of the square are unit and face the viewer", "
         for (float z : {1.0f, 0.5f, 1e-3f, 1e-6f})
             for (float x : {0.0f, 1e-30f, 1e-7f, 0.5f, last})
                 for (float y : {0.0f, 1e-7f, 0.3f, last}) {
-                    const vec3<float> v{std::sqrt((1 - z) * (1 + z)), 0, z}, m = ndf.sample_visible(v, {x, y}), all = ndf.sample({x, y});
+                    const vec3<float> v{std::sqrt((1 - z) * (1 + z)), 0, z}, m = ndf.sample_visible(v, {x, y}),
+                                                                             all = ndf.sample({x, y});
                     INFO(z << ' ' << x << ' ' << y);
                     CHECK(std::abs(lobe::length(m) - 1) < 3e-7f);
                     CHECK(std::abs(lobe::length(all) - 1) < 3e-7f);
@@ -134,13 +141,13 @@ TEST_CASE("samples at the corners of the square are unit and face the viewer", "
         expect_sound(lobe::beckmann{alpha{a}});
         expect_sound(lobe::student_t{alpha{a}, 1.75f});
         expect_sound(lobe::blinn_phong{alpha{std::max(a, 0.001f)}});
-        expect_sound(lobe::exponential_power{alpha{a}, 0.5f});
-        expect_sound(lobe::exponential_power{alpha{a}, 3.0f});
-        expect_sound(lobe::gtr{alpha{a}, 1.0f});
-        expect_sound(lobe::gtr{alpha{a}, 4.0f});
-        expect_sound(lobe::abc{alpha{a}, 0.7f});
-        expect_sound(lobe::sgd{alpha{a}, 2.0f});
-        expect_sound(lobe::phong{alpha{a}});
+        expect_sound(lobe::tabulated{lobe::exponential_power{alpha{a}, 0.5f}});
+        expect_sound(lobe::tabulated{lobe::exponential_power{alpha{a}, 3.0f}});
+        expect_sound(lobe::tabulated{lobe::gtr{alpha{a}, 1.0f}});
+        expect_sound(lobe::tabulated{lobe::gtr{alpha{a}, 4.0f}});
+        expect_sound(lobe::tabulated{lobe::abc{alpha{a}, 0.7f}});
+        expect_sound(lobe::tabulated{lobe::sgd{alpha{a}, 2.0f}});
+        expect_sound(lobe::tabulated{lobe::phong{alpha{a}}});
         expect_sound(lobe::mixture{lobe::ggx{alpha{a}}, lobe::beckmann{alpha{a}}, 0.5f});
     }
 }
@@ -150,7 +157,9 @@ TEST_CASE("a microfacet of any distribution returns at most what it receives, an
         const double s = std::sqrt((1 - mu) * (1 + mu));
         return vec3<double>{0.6 * s, 0.8 * s, mu};
     };
-    const auto with = [](const auto& ndf) { return lobe::microfacet{ndf, lobe::smith_correlated{}, lobe::perfect_reflector{}}; };
+    const auto with = [](const auto& ndf) {
+        return lobe::microfacet{ndf, lobe::smith_correlated{}, lobe::perfect_reflector{}};
+    };
     const auto all_of = [](const auto& ndf) {
         return lobe::microfacet{ndf, lobe::smith_correlated{}, lobe::perfect_reflector{}, lobe::all_normals{}};
     };
@@ -158,25 +167,28 @@ TEST_CASE("a microfacet of any distribution returns at most what it receives, an
         for (double mu : {0.1, 0.6}) {
             INFO("alpha " << a << " mu " << mu);
             const vec3<double> v = direction(mu);
-            // 2^16 Hammersley points for closed samplers, 2^11 for numeric ones: the error of a smooth integrand is of order
-            // log(n)/n, 2e-4 and 4e-3, times its variation
+            // 2^16 Hammersley points for closed samplers, 2^11 for numeric ones: the error of a smooth integrand is of
+            // order log(n)/n, 2e-4 and 4e-3, times its variation
             expect_energy(with(lobe::beckmann{alpha{a}}), v, 1u << 16, 3e-4);
             expect_energy(with(lobe::beckmann{alpha_xy{a, 0.3}}), v, 1u << 16, 3e-4);
-            expect_energy(with(lobe::mixture{lobe::ggx{alpha{a}}, lobe::beckmann{alpha{a / 2}}, 0.3}), v, 1u << 16, 3e-4);
+            expect_energy(with(lobe::mixture{lobe::ggx{alpha{a}}, lobe::beckmann{alpha{a / 2}}, 0.3}), v, 1u << 16,
+                          3e-4);
             expect_energy(with(lobe::student_t{alpha{a}, 3.0}), v, 1u << 11, 5e-3);
             expect_energy(with(lobe::hyper_cauchy{alpha_xy{a, 0.3}, 3.0}), v, 1u << 11, 5e-3);
-            expect_energy(with(lobe::exponential_power{alpha{a}, 0.5}), v, 1u << 11, 5e-3);
+            expect_energy(with(lobe::tabulated{lobe::exponential_power{alpha{a}, 0.5}}), v, 1u << 11, 5e-3);
             expect_energy(with(lobe::blinn_phong{alpha{a}}), v, 1u << 11, 5e-3);
-            expect_energy(with(lobe::gtr{alpha{a}, 1.0}), v, 1u << 11, 5e-3);
-            expect_energy(with(lobe::abc{alpha{a}, 1.5}), v, 1u << 11, 5e-3);
-            expect_energy(with(lobe::sgd{alpha{a}, 1.5}), v, 1u << 11, 5e-3);
-            expect_energy(with(lobe::phong{alpha{a}}), v, 1u << 11, 5e-3);
+            expect_energy(with(lobe::tabulated{lobe::gtr{alpha{a}, 1.0}}), v, 1u << 11, 5e-3);
+            expect_energy(with(lobe::tabulated{lobe::abc{alpha{a}, 1.5}}), v, 1u << 11, 5e-3);
+            expect_energy(with(lobe::tabulated{lobe::sgd{alpha{a}, 1.5}}), v, 1u << 11, 5e-3);
+            expect_energy(with(lobe::tabulated{lobe::phong{alpha{a}}}), v, 1u << 11, 5e-3);
             // all normals: weights grow towards grazing angles
             if (mu > 0.5) {
-                expect_energy(all_of(lobe::gtr{alpha{a}, 1.0}), v, 1u << 16, 2e-3);
+                expect_energy(all_of(lobe::tabulated{lobe::gtr{alpha{a}, 1.0}}), v, 1u << 16, 2e-3);
                 expect_energy(all_of(lobe::beckmann_walter{alpha{a}}), v, 1u << 16, 2e-3, false);
-                expect_energy(all_of(lobe::masked_by{lobe::phong{alpha{a}}, lobe::ggx{alpha{a}}}), v, 1u << 16, 2e-3, false);
-                expect_energy(all_of(lobe::masked_by{lobe::blinn_phong{alpha{a}}, lobe::beckmann{alpha{a}}}), v, 1u << 16, 2e-3, false);
+                expect_energy(all_of(lobe::masked_by{lobe::phong{alpha{a}}, lobe::ggx{alpha{a}}}), v, 1u << 16, 2e-3,
+                              false);
+                expect_energy(all_of(lobe::masked_by{lobe::blinn_phong{alpha{a}}, lobe::beckmann{alpha{a}}}), v,
+                              1u << 16, 2e-3, false);
             }
         }
 }
@@ -185,7 +197,8 @@ TEST_CASE("a mixture hands its parts numbers below 1", "[ndf]") {
     // (u - p)/(1 - p) rounds to 1 for many p; spherical caps then give a normal at the horizon
     int at_the_horizon = 0;
     for (int i = 1; i < 1000; ++i) {
-        const lobe::mixture both{lobe::ggx{lobe::alpha{0.3f}}, lobe::ggx{lobe::alpha{0.9f}}, static_cast<float>(i) / 1000.0f};
+        const lobe::mixture both{lobe::ggx{lobe::alpha{0.3f}}, lobe::ggx{lobe::alpha{0.9f}},
+                                 static_cast<float>(i) / 1000.0f};
         if (!(both.sample_visible(lobe::vec3<float>{0.6f, 0.0f, 0.8f}, {0x1.fffffep-1f, 0.0f}).z > 0)) ++at_the_horizon;
     }
     CHECK(at_the_horizon == 0);

@@ -1,4 +1,5 @@
-// What the tests of distributions share: one list of all of them, and integrals over normals that know nothing of their code.
+// What the tests of distributions share: one list of all of them, and integrals over normals that know nothing of their
+// code.
 #pragma once
 
 #include "support.hpp"
@@ -21,7 +22,8 @@ constexpr double half_pi = 1.5707963267948966;
 
 /// The stated error of a projected area: of closed forms, absolute; of tables, in units of the area seen along the
 /// horizon; of exponential power's, which falls abruptly for large p; of Phong's, whose slopes end abruptly.
-constexpr double closed_error = 1e-8, table_error = 3e-6, exponential_power_table_error = 4e-6, phong_table_error = 3e-5;
+constexpr double closed_error = 1e-8, table_error = 3e-6, exponential_power_table_error = 4e-6,
+                 phong_table_error = 3e-5;
 
 template <class N>
 double allowed_area_error(const N& ndf, double stated) {
@@ -36,14 +38,19 @@ void every_isotropic(double a, const Visit& visit) {
     const auto name = [](const char* of, double shape) { return std::string(of) + ' ' + std::to_string(shape); };
     visit("ggx", lobe::ggx{width}, closed_error);
     visit("beckmann", lobe::beckmann{width}, closed_error);
-    for (double g : {1.6, 1.75, 2.0, 3.0, 10.0, 40.0}) visit(name("student_t", g), lobe::student_t{width, g}, closed_error);
+    for (double g : {1.6, 1.75, 2.0, 3.0, 10.0, 40.0})
+        visit(name("student_t", g), lobe::student_t{width, g}, closed_error);
     for (double g : {1.75, 3.0, 8.0}) visit(name("hyper_cauchy", g), lobe::hyper_cauchy{width, g}, closed_error);
-    for (double p : {0.25, 0.5, 1.0, 2.0, 4.0}) visit(name("exponential_power", p), lobe::exponential_power{width, p}, exponential_power_table_error);
+    for (double p : {0.25, 0.5, 1.0, 2.0, 4.0})
+        visit(name("exponential_power", p), lobe::tabulated{lobe::exponential_power{width, p}},
+              exponential_power_table_error);
     visit("blinn_phong", lobe::blinn_phong{width}, closed_error);
-    for (double g : {0.5, 1.0, 1.5, 2.0, 3.0, 5.0}) visit(name("gtr", g), lobe::gtr{width, g}, table_error);
-    for (double c : {0.5, 1.0, 2.0, 3.0, 10.0}) visit(name("abc", c), lobe::abc{width, c}, table_error);
-    for (double p : {0.0, 0.5, 1.0, 2.0, 4.0}) visit(name("sgd", p), lobe::sgd{width, p}, table_error);
-    visit("phong", lobe::phong{width}, phong_table_error);
+    for (double g : {0.5, 1.0, 1.5, 2.0, 3.0, 5.0})
+        visit(name("gtr", g), lobe::tabulated{lobe::gtr{width, g}}, table_error);
+    for (double c : {0.5, 1.0, 2.0, 3.0, 10.0})
+        visit(name("abc", c), lobe::tabulated{lobe::abc{width, c}}, table_error);
+    for (double p : {0.0, 0.5, 1.0, 2.0, 4.0}) visit(name("sgd", p), lobe::tabulated{lobe::sgd{width, p}}, table_error);
+    visit("phong", lobe::tabulated{lobe::phong{width}}, phong_table_error);
     visit("mixture", lobe::mixture{lobe::ggx{width}, lobe::beckmann{lobe::alpha{a / 2}}, 0.3}, closed_error);
 }
 
@@ -55,16 +62,18 @@ void every_anisotropic(double ax, double ay, const Visit& visit) {
     visit("beckmann", lobe::beckmann{width}, closed_error);
     for (double g : {1.75, 3.0}) visit("student_t", lobe::student_t{width, g}, closed_error);
     visit("hyper_cauchy", lobe::hyper_cauchy{width, 2.5}, closed_error);
-    for (double p : {0.5, 2.0}) visit("exponential_power", lobe::exponential_power{width, p}, exponential_power_table_error);
+    for (double p : {0.5, 2.0})
+        visit("exponential_power", lobe::tabulated{lobe::exponential_power{width, p}}, exponential_power_table_error);
     visit("mixture", lobe::mixture{lobe::beckmann{width}, lobe::ggx{lobe::alpha_xy{ay, ax}}, 0.3}, closed_error);
 }
 
-/// The area of the facets that face away from w, per unit of macrosurface: int max(0, -w.m) D(m) dm, by its definition. Slopes
-/// r (wx cos phi, wy sin phi) with w.m = 0 at one r for each phi, from which on the facets face away (w.z > 0): from there the trapezoid
-/// rule after r = r0 + exp((pi/2) sinh t), out to r = 1e48; the azimuths crowd towards those where r0 turns infinite.
+/// The area of the facets that face away from w, per unit of macrosurface: int max(0, -w.m) D(m) dm, by its definition.
+/// Slopes r (wx cos phi, wy sin phi) with w.m = 0 at one r for each phi, from which on the facets face away (w.z > 0):
+/// from there the trapezoid rule after r = r0 + exp((pi/2) sinh t), out to r = 1e48; the azimuths crowd towards those
+/// where r0 turns infinite.
 template <class N>
 double area_facing_away(const N& ndf, double wx, double wy, const lobe::vec3<double>& w) {
-    const lobe::detail::gauss_legendre<double> rule(40);
+    const lobe::gauss_legendre<double> rule(40);
     const double px = wx * w.x, py = wy * w.y, p = std::hypot(px, py);
     constexpr int steps = 400;
     double total = 0;
@@ -75,7 +84,8 @@ double area_facing_away(const N& ndf, double wx, double wy, const lobe::vec3<dou
             const double dx = wx * (along * px - across * py) / p, dy = wy * (along * py + across * px) / p;
             const double slope = -(dx * w.x + dy * w.y), low = w.z / slope;
             for (int i = 0; i < steps; ++i) {
-                const double h = 8.5 / steps, t = -3.5 + (i + 0.5) * h, e = std::exp(half_pi * std::sinh(t)), r = low + e;
+                const double h = 8.5 / steps, t = -3.5 + (i + 0.5) * h, e = std::exp(half_pi * std::sinh(t)),
+                             r = low + e;
                 const double z = 1 / std::sqrt(1 + r * r * (dx * dx + dy * dy));
                 const double dm = wx * wy * r * z * z * z * half_pi * std::cosh(t) * h * e * d_phi;
                 total += e * slope * z * ndf.D({r * dx * z, r * dy * z, z}) * dm;  // -w.m = (r - low) slope z
@@ -84,7 +94,9 @@ double area_facing_away(const N& ndf, double wx, double wy, const lobe::vec3<dou
     return total;
 }
 
-/// |d map / d u|, the area that a map from the square to directions gives to a unit of it, by Richardson-extrapolated central differences. Error:
+/// |d map / d u|, the area that a map from the square to directions gives to a unit of it, by Richardson-extrapolated
+/// central differences.
+/// Error:
 /// (4e-4/distance)^6 to whatever is not smooth, as the edges of the square are.
 template <class Map>
 double jacobian(const Map& map, const lobe::vec2<double>& u) {

@@ -21,25 +21,29 @@ void compare_packs(typename Pack::value_type tolerance) {
     using T = typename Pack::value_type;
     random_numbers random(1);
     const auto make = [](const T& a) {
-        return lobe::microfacet{lobe::ggx{lobe::alpha<T>(a)}, lobe::smith_correlated{}, lobe::schlick{vec3<T>{1, T(0.7), T(0.3)}}};
+        return lobe::microfacet{lobe::ggx{lobe::alpha<T>(a)}, lobe::smith_correlated{},
+                                lobe::schlick{vec3<T>{1, T(0.7), T(0.3)}}};
     };
     const lobe::microfacet wide{lobe::ggx{lobe::alpha<Pack>(Pack(T(0.3)))}, lobe::smith_correlated{},
                                 lobe::schlick{vec3<Pack>{Pack(T(1)), Pack(T(0.7)), Pack(T(0.3))}}};
     for (int trial = 0; trial < 200; ++trial) {
         std::vector<T> in[8];
         for (std::size_t lane = 0; lane < Pack::size; ++lane) {
-            const auto v = random.grazing_direction<T>(1e-3), l = random.direction<T>();  // some lights below the horizon
+            // some lights below the horizon
+            const auto v = random.grazing_direction<T>(1e-3), l = random.direction<T>();
             const T values[8] = {v.x, v.y, v.z, l.x, l.y, l.z, static_cast<T>(random()), static_cast<T>(random())};
             for (int k = 0; k < 8; ++k) in[k].push_back(values[k]);
         }
-        const vec3<Pack> v{load<Pack>(in[0]), load<Pack>(in[1]), load<Pack>(in[2])}, l{load<Pack>(in[3]), load<Pack>(in[4]), load<Pack>(in[5])};
+        const vec3<Pack> v{load<Pack>(in[0]), load<Pack>(in[1]), load<Pack>(in[2])},
+            l{load<Pack>(in[3]), load<Pack>(in[4]), load<Pack>(in[5])};
         const vec2<Pack> u{load<Pack>(in[6]), load<Pack>(in[7])};
         const auto e = wide.evaluate(v, l);
         const auto s = wide.sample(v, u);
         const lobe::frame<Pack> at(v);
         const auto back = at.to_world(at.to_local(l));
         const auto diffuse = lobe::lambert{vec3<Pack>{Pack(T(0.5)), Pack(T(0.6)), Pack(T(0.7))}}.evaluate(v, l);
-        const auto weights = lobe::fdez_aguera{}(lobe::dfg_terms<Pack>{u.x * T(0.9), u.x * T(0.1)}, vec3<Pack>{u.y, u.y, u.y});
+        const auto weights =
+            lobe::fdez_aguera{}(lobe::dfg_terms<Pack>{u.x * T(0.9), u.x * T(0.1)}, vec3<Pack>{u.y, u.y, u.y});
         for (std::size_t i = 0; i < Pack::size; ++i) {
             const vec3<T> vi{in[0][i], in[1][i], in[2][i]}, li{in[3][i], in[4][i], in[5][i]};
             const auto one = make(T(0.3)).evaluate(vi, li);
@@ -69,7 +73,9 @@ struct dual {
     friend dual operator+(dual a, dual b) { return dual(a.value + b.value, a.slope + b.slope); }
     friend dual operator-(dual a, dual b) { return dual(a.value - b.value, a.slope - b.slope); }
     friend dual operator*(dual a, dual b) { return dual(a.value * b.value, a.slope * b.value + a.value * b.slope); }
-    friend dual operator/(dual a, dual b) { return dual(a.value / b.value, (a.slope - a.value / b.value * b.slope) / b.value); }
+    friend dual operator/(dual a, dual b) {
+        return dual(a.value / b.value, (a.slope - a.value / b.value * b.slope) / b.value);
+    }
     dual& operator+=(dual b) { return *this = *this + b; }
     dual& operator-=(dual b) { return *this = *this - b; }
     dual& operator*=(dual b) { return *this = *this * b; }
@@ -79,7 +85,10 @@ struct dual {
     friend bool operator>=(dual a, dual b) { return a.value >= b.value; }
     friend bool operator<=(dual a, dual b) { return a.value <= b.value; }
     friend bool operator==(dual a, dual b) { return a.value == b.value; }
-    friend dual sqrt(dual a) { const double r = std::sqrt(a.value); return dual(r, a.slope / (2 * r)); }
+    friend dual sqrt(dual a) {
+        const double r = std::sqrt(a.value);
+        return dual(r, a.slope / (2 * r));
+    }
     friend dual sin(dual a) { return dual(std::sin(a.value), a.slope * std::cos(a.value)); }
     friend dual cos(dual a) { return dual(std::cos(a.value), -a.slope * std::sin(a.value)); }
 };
@@ -96,9 +105,11 @@ TEST_CASE("a pack of floats or doubles gives what its lanes give", "[packs]") {
 TEST_CASE("dual numbers differentiate f_cos with respect to alpha", "[packs]") {
     const auto f = [](auto a, auto v, auto l) {
         using T = decltype(a);
-        return lobe::microfacet{lobe::ggx{lobe::alpha<T>(a)}, lobe::smith_correlated{}, lobe::schlick{T(0.04)}}.f_cos(v, l);
+        return lobe::microfacet{lobe::ggx{lobe::alpha<T>(a)}, lobe::smith_correlated{}, lobe::schlick{T(0.04)}}.f_cos(
+            v, l);
     };
-    const vec3<double> v = lobe::normalize(vec3<double>{0.3, 0.1, 0.8}), l = lobe::normalize(vec3<double>{-0.5, 0.1, 0.6});
+    const vec3<double> v = lobe::normalize(vec3<double>{0.3, 0.1, 0.8}),
+                       l = lobe::normalize(vec3<double>{-0.5, 0.1, 0.6});
     const auto lift = [](const vec3<double>& w) { return vec3<dual>{dual(w.x), dual(w.y), dual(w.z)}; };
     for (double a : {0.05, 0.3, 0.9}) {
         const dual d = f(dual(a, 1), lift(v), lift(l));
@@ -106,8 +117,9 @@ TEST_CASE("dual numbers differentiate f_cos with respect to alpha", "[packs]") {
         CHECK(d.value == Catch::Approx(f(a, v, l)));
         CHECK(d.slope == Catch::Approx(difference).epsilon(1e-6));
     }
-    const auto s = lobe::microfacet{lobe::ggx{lobe::alpha<dual>(dual(0.3, 1))}, lobe::smith_correlated{}, lobe::schlick{dual(0.04)}}.sample(
-        lift(v), {dual(0.3), dual(0.7)});
+    const auto s = lobe::microfacet{lobe::ggx{lobe::alpha<dual>(dual(0.3, 1))}, lobe::smith_correlated{},
+                                    lobe::schlick{dual(0.04)}}
+                       .sample(lift(v), {dual(0.3), dual(0.7)});
     CHECK(s.weight.value > 0);
     CHECK(std::isfinite(s.weight.slope));
 }

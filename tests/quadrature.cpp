@@ -17,8 +17,8 @@ struct honesty {
 
 /// For every model and each of `options`, random parameters and views: the albedo in T against the mesh in double.
 template <class T>
-auto honesty_of_every_model(std::uint64_t seed, int cases, const std::vector<lobe::quadrature>& options, double tolerance,
-                            long mesh_evaluations) {
+auto honesty_of_every_model(std::uint64_t seed, int cases, const std::vector<lobe::quadrature>& options,
+                            double tolerance, long mesh_evaluations) {
     std::vector<std::function<any_brdf<double>(drawn<double>&)>> in_double;
     every_family<double>([&](const char*, const char*, const auto& make) { in_double.push_back(make); });
     std::map<std::pair<std::string, std::string>, std::vector<honesty>> all;
@@ -45,7 +45,8 @@ auto honesty_of_every_model(std::uint64_t seed, int cases, const std::vector<lob
                 for (int c = 0; c < 3; ++c) {
                     const double difference = std::abs(static_cast<double>(E.value[c]) - truth.value[c]);
                     worst = larger(worst, difference);
-                    off = larger(off, difference - 3 * truth.error[c]);  // the mesh's own estimate, measured: off by less than 3 times that
+                    // the mesh's own estimate, measured: off by less than 3 times that
+                    off = larger(off, difference - 3 * truth.error[c]);
                 }
                 result[k].cases += 1;
                 result[k].below += !(off <= static_cast<double>(E.error));
@@ -66,8 +67,8 @@ double median(std::vector<double> x) {
 }  // namespace
 
 TEST_CASE("quadrature: glass from both sides agrees with every row of the table", "[quadrature]") {
-    // The table has 12 digits, and its own error, 1.6e-8 at most, in its last column. From outside F is smooth, but has a layer at
-    // grazing where eta is near 1.
+    // The table has 12 digits, and its own error, 1.6e-8 at most, in its last column. From outside F is smooth, but has
+    // a layer at grazing where eta is near 1.
     double inside[2] = {}, outside[2] = {};
     const int orders[2] = {16, 32};
     const double digits = 5e-13;
@@ -99,15 +100,16 @@ TEST_CASE("quadrature: glass from both sides agrees with every row of the table"
 }
 
 TEST_CASE("quadrature: the average albedo of glass from inside, cut at the critical cosine", "[quadrature]") {
-    // Against panels of 8 Gauss points that halve towards 0 and towards the critical cosine from both sides: of a smooth surface E has
-    // the root of F there. E by order 32, right to 1e-7.
-    const lobe::detail::gauss_legendre<double> rule(8);
+    // Against panels of 8 Gauss points that halve towards 0 and towards the critical cosine from both sides: of a
+    // smooth surface E has the root of F there. E by order 32, right to 1e-7.
+    const lobe::gauss_legendre<double> rule(8);
     for (const double a : {1e-3, 0.02, 0.5})
         for (const double eta : {0.4, 0.75, 0.95}) {
             const lobe::microfacet glass{lobe::ggx{lobe::alpha{a}}, lobe::smith_correlated{}, lobe::dielectric{eta}};
             const double c = std::sqrt((1 - eta) * (1 + eta));
             std::vector<double> edges{0, c, 1};
-            for (double h = 0.5; h > 1e-4; h /= 2) edges.insert(edges.end(), {c / 2 * h, c - c / 2 * h, c + (1 - c) * h});
+            for (double h = 0.5; h > 1e-4; h /= 2)
+                edges.insert(edges.end(), {c / 2 * h, c - c / 2 * h, c + (1 - c) * h});
             std::sort(edges.begin(), edges.end());
             double right = 0;
             for (std::size_t k = 0; k + 1 < edges.size(); ++k)
@@ -127,7 +129,8 @@ TEST_CASE("quadrature: the average albedo of glass from inside, cut at the criti
         }
 }
 
-TEMPLATE_TEST_CASE("quadrature: the estimate is at least the error in 99 of 100 cases of every kind of model", "[quadrature]", float, double) {
+TEMPLATE_TEST_CASE("quadrature: the estimate is at least the error in 99 of 100 cases of every kind of model",
+                   "[quadrature]", float, double) {
     const std::vector<lobe::quadrature> options{{}, {.order = 16}, {.order = 32}};
     std::map<std::string, std::vector<honesty>> kinds;
     const int cases = std::same_as<TestType, double> ? 20 : 8;
@@ -143,7 +146,8 @@ TEMPLATE_TEST_CASE("quadrature: the estimate is at least the error in 99 of 100 
     }
     for (const auto& [kind, result] : kinds)
         for (std::size_t k = 0; k < options.size(); ++k) {
-            INFO(kind << ", order " << options[k].order << ": below in " << result[k].below << " of " << result[k].cases);
+            INFO(kind << ", order " << options[k].order << ": below in " << result[k].below << " of "
+                      << result[k].cases);
             CHECK(result[k].below * 100 <= result[k].cases);
         }
 }

@@ -76,7 +76,8 @@ struct BSDF {
     float pdf(const BSDFContext&, const SurfaceInteraction3f& si, const Vector3f& wo) const {
         return si.wi.z() > 0 && wo.z() > 0 ? inv_pi * wo.z() : 0;
     }
-    std::pair<BSDFSample3f, Spectrum> sample(const BSDFContext&, const SurfaceInteraction3f&, float, std::array<float, 2> u) const {
+    std::pair<BSDFSample3f, Spectrum> sample(const BSDFContext&, const SurfaceInteraction3f&, float,
+                                             std::array<float, 2> u) const {
         const glm::vec3 l = cosine_direction(u[0], u[1]);
         return {{{{l.x, l.y, l.z}}, l.z * inv_pi}, {albedo, albedo, albedo}};
     }
@@ -85,7 +86,9 @@ struct BSDF {
 
 struct MyBSDF {
     float albedo;
-    glm::vec3 eval(glm::vec3 wi, glm::vec3 wo) const { return std::min(wi.z, wo.z) > 0 ? glm::vec3(albedo * inv_pi * wo.z) : glm::vec3(0); }
+    glm::vec3 eval(glm::vec3 wi, glm::vec3 wo) const {
+        return std::min(wi.z, wo.z) > 0 ? glm::vec3(albedo * inv_pi * wo.z) : glm::vec3(0);
+    }
     bool sample(glm::vec3 wi, glm::vec3& wo, float& pdf, glm::vec3& weight, unsigned& lobe_type, glm::vec2 u) const {
         wo = cosine_direction(u.x, u.y);
         pdf = wo.z * inv_pi;
@@ -113,7 +116,8 @@ struct from_pbrt {
         lobe::testkit::sampled_light<glm::vec3, float> out{{0, 0, 1}, glm::vec3(0), 0};
         const auto s = bxdf.Sample_f(to(v), u.z, {u.x, u.y}, pbrt::TransportMode::Radiance);
         if (!s) return out;
-        out = {{s->wi.x, s->wi.y, s->wi.z}, glm::vec3(s->f[0], s->f[1], s->f[2]) * (std::abs(s->wi.z) / s->pdf), s->pdf};
+        const glm::vec3 f(s->f[0], s->f[1], s->f[2]);
+        out = {{s->wi.x, s->wi.y, s->wi.z}, f * (std::abs(s->wi.z) / s->pdf), s->pdf};
         return out;
     }
     float pdf(glm::vec3 v, glm::vec3 l) const { return bxdf.PDF(to(v), to(l), pbrt::TransportMode::Radiance); }
@@ -132,7 +136,8 @@ struct from_mitsuba {
     }
     auto sample(glm::vec3 v, glm::vec3 u) const {
         const auto [s, w] = bsdf->sample({}, at(v), u.z, {u.x, u.y});
-        return lobe::testkit::sampled_light<glm::vec3, float>{{s.wo.x(), s.wo.y(), s.wo.z()}, {w[0], w[1], w[2]}, s.pdf};
+        const glm::vec3 l(s.wo.x(), s.wo.y(), s.wo.z()), weight(w[0], w[1], w[2]);
+        return lobe::testkit::sampled_light<glm::vec3, float>{l, weight, s.pdf};
     }
     float pdf(glm::vec3 v, glm::vec3 l) const { return bsdf->pdf({}, at(v), {l.x, l.y, l.z}); }
 };

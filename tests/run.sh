@@ -3,7 +3,7 @@
 # `tests/run.sh settings` runs those of other people's flags, macros and compilers alone, with both.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-source "$root/tests/setup.sh"
+source "$root/scripts/setup.sh"
 need cmake ninja-build g++ clang libglm-dev catch2 libboost-dev libxsimd-dev libgtest-dev
 
 presets=("$@")

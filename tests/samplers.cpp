@@ -1,5 +1,5 @@
-// Every sampler of half vectors: that its directions have the density it states (by their histogram too: chi_squared.cpp), what it loses,
-// and how much it varies.
+// Every sampler of half vectors: that its directions have the density it states (by their histogram too:
+// chi_squared.cpp), what it loses, and how much it varies.
 #include "catch.hpp"
 #include "ndf_support.hpp"
 
@@ -22,8 +22,8 @@ using lobe::microfacet;
 using lobe::vec2;
 using lobe::vec3;
 using lobe::visible_bounded_caps;
-using lobe::visible_normals;
 using lobe::visible_heitz2018;
+using lobe::visible_normals;
 
 namespace {
 
@@ -38,14 +38,18 @@ vec3<double> at(double mu, double phi = 0.9) {
 struct situation {
     double ax, ay, mu;
 };
-const situation situations[] = {{0.001, 0.001, 1},    {0.001, 0.001, 0.5}, {0.001, 0.001, grazing}, {0.05, 0.05, 0.1}, {0.1, 0.1, grazing},
-                                {0.3, 0.3, 0.2},      {1, 1, 0.5},         {1, 1, grazing},         {1, 1, 1},         {0.001, 0.3, 0.5},
-                                {0.6, 0.05, grazing}, {0.02, 1, 0.05},     {2.5, 1.5, 0.3}};
+const situation situations[] = {
+    {0.001, 0.001, 1},    {0.001, 0.001, 0.5}, {0.001, 0.001, grazing}, {0.05, 0.05, 0.1}, {0.1, 0.1, grazing},
+    {0.3, 0.3, 0.2},      {1, 1, 0.5},         {1, 1, grazing},         {1, 1, 1},         {0.001, 0.3, 0.5},
+    {0.6, 0.05, grazing}, {0.02, 1, 0.05},     {2.5, 1.5, 0.3}};
 
-/// A view in float. (Not inlined: GCC 12 at -O2 optimises the conversion of a pair of numbers from double to float and back away.)
+/// A view in float. (Not inlined: GCC 12 at -O2 optimises the conversion of a pair of numbers from double to float and
+/// back away.)
 [[gnu::noinline]] vec3<float> float_view(random_numbers& random) { return random.grazing_direction<float>(1e-3); }
 
-double angle(const vec3<double>& a, const vec3<double>& b) { return std::atan2(lobe::length(lobe::cross(a, b)), lobe::dot(a, b)); }
+double angle(const vec3<double>& a, const vec3<double>& b) {
+    return std::atan2(lobe::length(lobe::cross(a, b)), lobe::dot(a, b));
+}
 
 template <class Sampler>
 auto mirror(const situation& s, const Sampler& sampler) {
@@ -138,38 +142,42 @@ TEST_CASE("weight * pdf is f_cos, and the mean of the weights the albedo", "[sam
                 const auto drawn = brdf.sample(v, {u, random()});
                 if (!(drawn.pdf > 0)) continue;
                 const auto e = brdf.evaluate(v, drawn.l);
-                // l is known to 2e-16, so the slopes of v + l to 2e-16/(s.z alpha), which D feels fourfold, D^2 over 1 + slope^2/alpha^2.
-                const double conditioning =
-                    1 + 4 / ((v.z + drawn.l.z) * std::min(s.ax, s.ay)) + 4 / (v.z + drawn.l.z) / lobe::length(v + drawn.l);
+                // l is known to 2e-16, so the slopes of v + l to 2e-16/(s.z alpha), which D feels fourfold, D^2 over 1
+                // + slope^2/alpha^2.
+                const double conditioning = 1 + 4 / ((v.z + drawn.l.z) * std::min(s.ax, s.ay)) +
+                                            4 / (v.z + drawn.l.z) / lobe::length(v + drawn.l);
                 product = larger(product, std::abs(drawn.weight * drawn.pdf / e.f_cos - 1) / conditioning);
                 density = larger(density, std::abs(drawn.pdf / e.pdf - 1) / conditioning);
-                shared = larger({shared, std::abs(e.pdf / brdf.pdf(v, drawn.l) - 1), std::abs(e.f_cos / brdf.f_cos(v, drawn.l) - 1)});
+                shared = larger({shared, std::abs(e.pdf / brdf.pdf(v, drawn.l) - 1),
+                                 std::abs(e.f_cos / brdf.f_cos(v, drawn.l) - 1)});
             }
             const moments m = of_weights(brdf, v, count);
             const double albedo = lobe::directional_albedo(brdf, v, {.tolerance = 1e-7}).value;
-            INFO(name << " alpha " << s.ax << ' ' << s.ay << " mu " << s.mu << ": " << product << ' ' << density << ' ' << shared
-                      << "; mean weight " << m.mean << ", albedo " << albedo << ", variance " << m.variance);
+            INFO(name << " alpha " << s.ax << ' ' << s.ay << " mu " << s.mu << ": " << product << ' ' << density << ' '
+                      << shared << "; mean weight " << m.mean << ", albedo " << albedo << ", variance " << m.variance);
             CHECK(product < 16e-16);
             CHECK(density < 16e-16);
             CHECK(shared < 1e-14);
-            // Random points would be within 5 sigma; Hammersley's are better by n^(1/4) at least even where samples fail at
-            // once beyond an edge: a tenth of that.
+            // Random points would be within 5 sigma; Hammersley's are better by n^(1/4) at least even where samples
+            // fail at once beyond an edge: a tenth of that.
             CHECK(std::abs(m.mean - albedo) < 0.5 * std::sqrt(m.variance / count) + 2e-6);
         });
 }
 
-TEST_CASE("rejection and variance of the samplers, by sampling, by quadrature and as measured elsewhere", "[samplers]") {
+TEST_CASE("rejection and variance of the samplers, by sampling, by quadrature and as measured elsewhere",
+          "[samplers]") {
     struct figure {
         double alpha, mu, rejected, variance, digit;
     };
-    // Independently computed, with half a unit of the last digit quoted. 2^18 points are sure to 1e-3 of rejection and 0.2 % of variance.
+    // Independently computed, with half a unit of the last digit quoted. 2^18 points are sure to 1e-3 of rejection and
+    // 0.2 % of variance.
     const auto expect = [](const char* name, const auto& sampler, std::initializer_list<figure> figures) {
         for (const figure& f : figures) {
             const auto brdf = mirror({f.alpha, f.alpha, f.mu}, sampler);
             const moments m = of_weights(brdf, at(f.mu), 1u << 18);
             const double exact = exact_variance(brdf, at(f.mu));
-            INFO(name << " alpha " << f.alpha << " mu " << f.mu << ": rejected " << m.failed << ", variance " << m.variance << ", exactly "
-                      << exact);
+            INFO(name << " alpha " << f.alpha << " mu " << f.mu << ": rejected " << m.failed << ", variance "
+                      << m.variance << ", exactly " << exact);
             if (f.rejected >= 0) CHECK(std::abs(m.failed - f.rejected) < 0.001);
             CHECK(m.variance == Catch::Approx(exact).epsilon(0.002).margin(1e-9));
             CHECK(std::abs(exact - f.variance) <= f.digit);
@@ -196,7 +204,8 @@ TEST_CASE("rejection and variance of the samplers, by sampling, by quadrature an
 TEST_CASE("the order of the samplers: bounded caps fail least and weigh least", "[samplers]") {
     random_numbers random(12);
     for (int i = 0; i < 40; ++i) {
-        const double a = random.log_between(0.01, 1), b = i % 2 ? a : random.log_between(0.01, 1), mu = random.log_between(0.01, 1);
+        const double a = random.log_between(0.01, 1), b = i % 2 ? a : random.log_between(0.01, 1),
+                     mu = random.log_between(0.01, 1);
         const moments caps = of_weights(mirror({a, b, mu}, visible_normals{}), at(mu), 4096);
         const moments bounded = of_weights(mirror({a, b, mu}, visible_bounded_caps{}), at(mu), 4096);
         INFO(a << ' ' << b << ' ' << mu);
@@ -215,9 +224,11 @@ TEST_CASE("bounded caps: by hand, and no light direction is left out", "[sampler
         CHECK(brdf.sample(at(mu), {0.25, 0.5}).pdf == Catch::Approx(1 / (2 * pi)).epsilon(1e-14));
     }
     // a = 0.5, mu = 1: s = 1, k = 0.75/(1.25) = 0.6, S = 1, area = 0.8
-    CHECK(visible_bounded_caps{}.area(ggx{alpha{0.5}}, vec3<double>{0, 0, 1}, 1.0, 1.0, 1.0) == Catch::Approx(0.8).epsilon(1e-15));
-    // The whole upper hemisphere of l is within the cap: mapped back to the surface of width 1, the mirrored view that l's half
-    // vector was drawn from lies above -b. o = 2 (V.M) M - V, M = unit unstretched half vector (independent of `sample`).
+    CHECK(visible_bounded_caps{}.area(ggx{alpha{0.5}}, vec3<double>{0, 0, 1}, 1.0, 1.0, 1.0) ==
+          Catch::Approx(0.8).epsilon(1e-15));
+    // The whole upper hemisphere of l is within the cap: mapped back to the surface of width 1, the mirrored view that
+    // l's half vector was drawn from lies above -b. o = 2 (V.M) M - V, M = unit unstretched half vector (independent of
+    // `sample`).
     random_numbers random(13);
     double slack = 1;
     for (int i = 0; i < 200000; ++i) {
@@ -225,7 +236,8 @@ TEST_CASE("bounded caps: by hand, and no light direction is left out", "[sampler
         const vec3<double> v = random.grazing_direction(1e-3), l = random.grazing_direction(1e-6), h = v + l;
         const vec3<double> M = lobe::normalize(vec3<double>{h.x / ax, h.y / ay, h.z}),
                            V = lobe::normalize(vec3<double>{ax * v.x, ay * v.y, v.z});
-        const double a = std::min({ax, ay, 1.0}), s = 1 + std::hypot(v.x, v.y), k = (1 - a * a) * s * s / (s * s + a * a * v.z * v.z);
+        const double a = std::min({ax, ay, 1.0}), s = 1 + std::hypot(v.x, v.y),
+                     k = (1 - a * a) * s * s / (s * s + a * a * v.z * v.z);
         slack = smaller(slack, (2 * lobe::dot(V, M) * M - V).z + k * V.z);
     }
     INFO(slack);
@@ -241,8 +253,9 @@ TEST_CASE("samplers in float: angles at the smallest alpha, unit normals at the 
         bool finite = true;
         for (float a : {1e-4f, 0.01f, 1.0f})
             for (const vec3<float> v :
-                 {vec3<float>{0, 0, 1}, vec3<float>{1e-22f, 0, 1}, vec3<float>{-1e-17f, 1e-17f, 1}, vec3<float>{0.8f, 0, 0.6f},
-                  vec3<float>{0, -1, 1e-3f}, vec3<float>{0.6f, 0.8f, 1e-6f}, vec3<float>{1, 0, 1e-30f}})
+                 {vec3<float>{0, 0, 1}, vec3<float>{1e-22f, 0, 1}, vec3<float>{-1e-17f, 1e-17f, 1},
+                  vec3<float>{0.8f, 0, 0.6f}, vec3<float>{0, -1, 1e-3f}, vec3<float>{0.6f, 0.8f, 1e-6f},
+                  vec3<float>{1, 0, 1e-30f}})
                 for (float x : {0.0f, 1e-30f, 1e-7f, 0.5f, last})
                     for (float y : {0.0f, 0.25f, 0.3f, 0.5f, 0.75f, last}) {
                         const ggx ndf{alpha{a}};
@@ -252,8 +265,8 @@ TEST_CASE("samplers in float: angles at the smallest alpha, unit normals at the 
                         unit = larger(unit, std::abs(static_cast<double>(lobe::length(m)) - 1));
                         below = smaller(below, static_cast<double>(m.z));
                         facing = smaller(facing, static_cast<double>(lobe::dot(v, m)));
-                        finite =
-                            finite && std::isfinite(m.x) && std::isfinite(s.weight) && std::isfinite(s.pdf) && s.weight >= 0 && s.pdf >= 0;
+                        finite = finite && std::isfinite(m.x) && std::isfinite(s.weight) && std::isfinite(s.pdf) &&
+                                 s.weight >= 0 && s.pdf >= 0;
                     }
         INFO(name << ' ' << unit << ' ' << below << ' ' << facing);
         CHECK(finite);
@@ -274,7 +287,8 @@ TEST_CASE("samplers in float: angles at the smallest alpha, unit normals at the 
             const vec3<double> m(sampler.sample(ggx{alpha{a}}, v, u)), view(v);
             const vec3<double> exact = sampler.sample(ggx{alpha{wide}}, view, vec2<double>(u));
             const double error = angle(m, exact);
-            // A cap's normal is the sum of the view and of a direction on the cap, of length 2 cos, each with an error of 1 ULP.
+            // A cap's normal is the sum of the view and of a direction on the cap, of length 2 cos, each with an error
+            // of 1 ULP.
             const vec3<double> M = lobe::normalize(vec3<double>{exact.x, exact.y, wide * exact.z});
             const vec3<double> V = lobe::normalize(vec3<double>{wide * view.x, wide * view.y, view.z});
             worst = larger(worst, error);
@@ -284,8 +298,8 @@ TEST_CASE("samplers in float: angles at the smallest alpha, unit normals at the 
                 angles.insert(static_cast<float>(std::hypot(m.x, m.y)));
             }
         }
-        INFO(name << " errs by " << worst << " radian, " << conditioned << " conditioned, " << smallest << " at alpha 1e-4; distinct "
-                  << angles.size());
+        INFO(name << " errs by " << worst << " radian, " << conditioned << " conditioned, " << smallest
+                  << " at alpha 1e-4; distinct " << angles.size());
         CHECK(static_cast<double>(angles.size()) > 0.95 * n / 2);
         CHECK(smallest < 6e-8);
         CHECK(conditioned < 3 * 6e-8);
@@ -310,16 +324,19 @@ TEST_CASE("Heitz's sampler is the printed one, without its cancellations", "[sam
     random_numbers random(16);
     double in_double = 0, in_float = 0, ours = 0;
     for (int i = 0; i < 100000; ++i) {
-        const float ax = static_cast<float>(random.log_between(1e-3, 1)), ay = i % 2 ? ax : static_cast<float>(random.log_between(1e-3, 1));
+        const float ax = static_cast<float>(random.log_between(1e-3, 1)),
+                    ay = i % 2 ? ax : static_cast<float>(random.log_between(1e-3, 1));
         const double wx = static_cast<double>(ax), wy = static_cast<double>(ay);
         const vec3<float> v = float_view(random);
         const vec2<float> u{static_cast<float>(random()) * 0.999f, static_cast<float>(random())};
         const vec3<double> view(v), m = visible_heitz2018{}.sample(ggx{alpha_xy{wx, wy}}, view, vec2<double>(u));
         const vec3<double> M = lobe::normalize(vec3<double>{m.x / wx, m.y / wy, m.z}),
                            V = lobe::normalize(vec3<double>{wx * view.x, wy * view.y, view.z});
-        // In double where the printed form does not cancel; the angle feels an error of M at most max(a)/min(a) times over.
+        // In double where the printed form does not cancel; the angle feels an error of M at most max(a)/min(a) times
+        // over.
         if (lobe::dot(M, V) > 0.1 && M.z > 0.1)
-            in_double = larger(in_double, angle(m, printed(wx, wy, view, vec2<double>(u))) * std::min(wx, wy) / std::max(wx, wy));
+            in_double = larger(in_double,
+                               angle(m, printed(wx, wy, view, vec2<double>(u))) * std::min(wx, wy) / std::max(wx, wy));
         if (i % 2 == 0) continue;
         in_float = larger(in_float, angle(m, vec3<double>(printed(ax, ay, v, u))));
         ours = larger(ours, angle(m, vec3<double>(visible_heitz2018{}.sample(ggx{alpha_xy{ax, ay}}, v, u))));
@@ -348,7 +365,8 @@ TEST_CASE("samplers swap in one word; those of GGX take nothing else", "[sampler
     static_assert(lobe::distribution<another>);
     static_assert(lobe::normal_sampler<visible_heitz2018, ggx<float>> &&
                   lobe::normal_sampler<visible_bounded_caps, ggx<double, alpha_xy<double>>>);
-    static_assert(!lobe::normal_sampler<visible_heitz2018, another> && !lobe::normal_sampler<visible_bounded_caps, another>);
+    static_assert(!lobe::normal_sampler<visible_heitz2018, another> &&
+                  !lobe::normal_sampler<visible_bounded_caps, another>);
     static_assert(!lobe::normal_sampler<visible_normals, another> && !lobe::normal_sampler<all_normals, another>);
     for_each_sampler([](const char*, const auto& sampler) {
         using S = std::remove_cvref_t<decltype(sampler)>;
@@ -375,7 +393,8 @@ TEST_CASE("samplers on packs give what their lanes give", "[samplers]") {
     using pack = xsimd::batch<float>;
     for_each_sampler([](const char* name, const auto& sampler) {
         const microfacet one{ggx{alpha_xy{0.3f, 0.1f}}, lobe::smith_correlated{}, lobe::schlick{0.04f}, sampler};
-        const microfacet wide{ggx{alpha_xy{pack(0.3f), pack(0.1f)}}, lobe::smith_correlated{}, lobe::schlick{pack(0.04f)}, sampler};
+        const microfacet wide{ggx{alpha_xy{pack(0.3f), pack(0.1f)}}, lobe::smith_correlated{},
+                              lobe::schlick{pack(0.04f)}, sampler};
         random_numbers random(15);
         double worst = 0;
         for (int trial = 0; trial < 500; ++trial) {

@@ -25,7 +25,8 @@ TEST_CASE("points are in [0,1) for every index", "[sampling]") {
         for (std::uint32_t i = 0; i < n; i += 7) good = good && check(i, n);
     CHECK(good);
     CHECK(check(0xffffffffu - 1, 0xffffffffu));
-    for (std::uint32_t low = 0; low < 256; ++low) CHECK(lobe::radical_inverse<float>(0xffffff00u | low) < 1);  // rounds to 1.0f when converted
+    // rounds to 1.0f when converted
+    for (std::uint32_t low = 0; low < 256; ++low) CHECK(lobe::radical_inverse<float>(0xffffff00u | low) < 1);
     CHECK(lobe::radical_inverse<double>(0xffffffffu) < 1);
 }
 
@@ -55,7 +56,8 @@ TEST_CASE("256 Hammersley points are a (0,8,2)-net", "[sampling]") {
         std::set<std::pair<int, int>> boxes;
         for (std::uint32_t i = 0; i < 256; ++i) {
             const auto u = lobe::hammersley<double>(i, 256);
-            boxes.insert({static_cast<int>(u.x * std::ldexp(1, rows)), static_cast<int>(u.y * std::ldexp(1, 8 - rows))});
+            boxes.insert(
+                {static_cast<int>(u.x * std::ldexp(1, rows)), static_cast<int>(u.y * std::ldexp(1, 8 - rows))});
         }
         CHECK(boxes.size() == 256);
     }
@@ -73,7 +75,8 @@ std::pair<double, double> check_warp(Map map, Pdf pdf, Inverse inverse) {
         const vec2<double> u{random.between(1e-3, 1 - 1e-3), random.between(1e-3, 1 - 1e-3)};
         const auto back = inverse(map(u));
         round_trip = larger({round_trip, std::abs(back.x - u.x), std::abs(back.y - u.y)});
-        if (std::abs(u.x - 0.5) < 1e-2 || std::abs(u.y - 0.5) < 1e-2 || std::abs(u.x - u.y) < 1e-4 || std::abs(u.x + u.y - 1) < 1e-4)
+        if (std::abs(u.x - 0.5) < 1e-2 || std::abs(u.y - 0.5) < 1e-2 || std::abs(u.x - u.y) < 1e-4 ||
+            std::abs(u.x + u.y - 1) < 1e-4)
             continue;  // the creases of the concentric map
         const auto dx = (map(vec2<double>{u.x + h, u.y}) - map(vec2<double>{u.x - h, u.y})) / (2 * h);
         const auto dy = (map(vec2<double>{u.x, u.y + h}) - map(vec2<double>{u.x, u.y - h})) / (2 * h);
@@ -97,13 +100,17 @@ TEST_CASE("warps have the density they state and an inverse", "[sampling]") {
     };
     using d2 = vec2<double>;
     using d3 = vec3<double>;
-    expect(check_warp([](d2 u) { return lobe::square_to_uniform_disk(u); }, [](d2) { return lobe::uniform_disk_pdf<double>(); },
+    expect(check_warp([](d2 u) { return lobe::square_to_uniform_disk(u); },
+                      [](d2) { return lobe::uniform_disk_pdf<double>(); },
                       [](d2 p) { return lobe::uniform_disk_to_square(p); }));
-    expect(check_warp([](d2 u) { return lobe::square_to_uniform_disk_concentric(u); }, [](d2) { return lobe::uniform_disk_concentric_pdf<double>(); },
+    expect(check_warp([](d2 u) { return lobe::square_to_uniform_disk_concentric(u); },
+                      [](d2) { return lobe::uniform_disk_concentric_pdf<double>(); },
                       [](d2 p) { return lobe::uniform_disk_concentric_to_square(p); }));
     expect(check_warp([](d2 u) { return lobe::square_to_uniform_hemisphere(u); },
-                      [](d3) { return lobe::uniform_hemisphere_pdf<double>(); }, [](d3 w) { return lobe::uniform_hemisphere_to_square(w); }));
-    expect(check_warp([](d2 u) { return lobe::square_to_cosine_hemisphere(u); }, [](d3 w) { return lobe::cosine_hemisphere_pdf(w); },
+                      [](d3) { return lobe::uniform_hemisphere_pdf<double>(); },
+                      [](d3 w) { return lobe::uniform_hemisphere_to_square(w); }));
+    expect(check_warp([](d2 u) { return lobe::square_to_cosine_hemisphere(u); },
+                      [](d3 w) { return lobe::cosine_hemisphere_pdf(w); },
                       [](d3 w) { return lobe::cosine_hemisphere_to_square(w); }));
     expect(check_warp([](d2 u) { return lobe::square_to_cosine_hemisphere_concentric(u); },
                       [](d3 w) { return lobe::cosine_hemisphere_concentric_pdf(w); },

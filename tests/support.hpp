@@ -60,7 +60,9 @@ template <class T, class Exact>
 double ulp_error(T value, Exact exact) {
     int exponent = 0;
     std::frexp(static_cast<double>(exact), &exponent);
-    const double last_place = std::ldexp(1.0, std::max(exponent - std::numeric_limits<T>::digits, std::numeric_limits<T>::min_exponent - std::numeric_limits<T>::digits));
+    const double last_place =
+        std::ldexp(1.0, std::max(exponent - std::numeric_limits<T>::digits,
+                                 std::numeric_limits<T>::min_exponent - std::numeric_limits<T>::digits));
     return static_cast<double>(std::abs(static_cast<Exact>(value) - exact)) / last_place;
 }
 
@@ -72,18 +74,18 @@ public:
     double between(double low, double high) { return low + (high - low) * (*this)(); }
     /// Evenly spread in the logarithm.
     double log_between(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
-    /// Any direction of the sphere. (Not inlined: GCC 12 drops the rounding to float of a pair that is turned into double again.)
+    /// Any direction of the sphere. (Not inlined: GCC 12 drops the rounding to float of a pair that is turned into
+    /// double again.)
     template <class T = double>
-    [[gnu::noinline]]
-    lobe::vec3<T> direction() {
+    [[gnu::noinline]] lobe::vec3<T> direction() {
         const double z = between(-1, 1), phi = between(0, 6.283185307179586), r = std::sqrt((1 - z) * (1 + z));
         return {static_cast<T>(r * std::cos(phi)), static_cast<T>(r * std::sin(phi)), static_cast<T>(z)};
     }
     /// A direction above the horizon whose cosine is as likely to be tiny as large.
     template <class T = double>
-    [[gnu::noinline]]
-    lobe::vec3<T> grazing_direction(double smallest_cosine) {
-        const double z = log_between(smallest_cosine, 1), phi = between(0, 6.283185307179586), r = std::sqrt((1 - z) * (1 + z));
+    [[gnu::noinline]] lobe::vec3<T> grazing_direction(double smallest_cosine) {
+        const double z = log_between(smallest_cosine, 1), phi = between(0, 6.283185307179586),
+                     r = std::sqrt((1 - z) * (1 + z));
         return {static_cast<T>(r * std::cos(phi)), static_cast<T>(r * std::sin(phi)), static_cast<T>(z)};
     }
 

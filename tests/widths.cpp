@@ -1,7 +1,7 @@
 #include "catch.hpp"
 #include "support.hpp"
 
-#include <lobe/core/roughness.hpp>
+#include <lobe/width/alpha.hpp>
 
 #include <xsimd/xsimd.hpp>
 
@@ -19,14 +19,16 @@ TEST_CASE("identities of the anisotropic parametrisations", "[widths]") {
     double worst = 0;
     for (int i = 0; i < 10000; ++i) {
         const double r = random.between(0.01, 1), a = random(), r2 = r * r;
-        const auto disney = alpha_xy<double>::from_disney(r, a), imageworks = alpha_xy<double>::from_imageworks(r, 2 * a - 1),
+        const auto disney = alpha_xy<double>::from_disney(r, a),
+                   imageworks = alpha_xy<double>::from_imageworks(r, 2 * a - 1),
                    openpbr = alpha_xy<double>::from_openpbr(r, a);
         // x y = r^4; (x + y)/2 = r^2; x^2 + y^2 = 2 r^4: each a few roundings
-        worst =
-            larger({worst, std::abs(disney.x() * disney.y() / (r2 * r2) - 1), std::abs((imageworks.x() + imageworks.y()) / (2 * r2) - 1),
-                    std::abs((openpbr.x() * openpbr.x() + openpbr.y() * openpbr.y()) / (2 * r2 * r2) - 1)});
+        worst = larger({worst, std::abs(disney.x() * disney.y() / (r2 * r2) - 1),
+                        std::abs((imageworks.x() + imageworks.y()) / (2 * r2) - 1),
+                        std::abs((openpbr.x() * openpbr.x() + openpbr.y() * openpbr.y()) / (2 * r2 * r2) - 1)});
         // and what tells them apart from others with the same identity: the ratio
-        worst = larger({worst, std::abs(disney.y() / disney.x() / (1 - 0.9 * a) - 1), std::abs(openpbr.y() / openpbr.x() / (1 - a) - 1),
+        worst = larger({worst, std::abs(disney.y() / disney.x() / (1 - 0.9 * a) - 1),
+                        std::abs(openpbr.y() / openpbr.x() / (1 - a) - 1),
                         std::abs((imageworks.x() - imageworks.y()) / r2 - 2 * (2 * a - 1)) / 4});
     }
     INFO(worst / epsilon);
@@ -35,8 +37,8 @@ TEST_CASE("identities of the anisotropic parametrisations", "[widths]") {
 
 TEST_CASE("no anisotropy is r^2 along both axes", "[widths]") {
     for (float r : {0.1f, 0.5f, 1.0f})
-        for (const auto& width :
-             {alpha_xy<float>::from_disney(r, 0.0f), alpha_xy<float>::from_imageworks(r, 0.0f), alpha_xy<float>::from_openpbr(r, 0.0f)}) {
+        for (const auto& width : {alpha_xy<float>::from_disney(r, 0.0f), alpha_xy<float>::from_imageworks(r, 0.0f),
+                                  alpha_xy<float>::from_openpbr(r, 0.0f)}) {
             CHECK(width.x() == alpha<float>::from_roughness(r).value());
             CHECK(width.y() == width.x());
         }
@@ -63,7 +65,8 @@ TEST_CASE("widths of packs", "[widths]") {
     using pack = xsimd::batch<float>;
     const pack r(0.6f), a(0.3f);
     CHECK(alpha_xy<pack>::from_disney(r, a).y().get(0) == Catch::Approx(alpha_xy<float>::from_disney(0.6f, 0.3f).y()));
-    CHECK(alpha_xy<pack>::from_openpbr(r, a).x().get(1) == Catch::Approx(alpha_xy<float>::from_openpbr(0.6f, 0.3f).x()));
+    CHECK(alpha_xy<pack>::from_openpbr(r, a).x().get(1) ==
+          Catch::Approx(alpha_xy<float>::from_openpbr(0.6f, 0.3f).x()));
     CHECK(alpha_xy<pack>::from_imageworks(r, a, pack(0.5f)).y().get(0) == 0.5f);
 }
 

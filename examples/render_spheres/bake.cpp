@@ -19,7 +19,8 @@ namespace {
 template <class Function>
 lobe::latlong<float> tabulated(int width, int height, const std::string& name, const Function& at) {
     image map{width, height};
-    step progress(name + ", " + std::to_string(width) + " x " + std::to_string(height), static_cast<std::size_t>(height));
+    step progress(name + ", " + std::to_string(width) + " x " + std::to_string(height),
+                  static_cast<std::size_t>(height));
     tbb::parallel_for(0, height, [&](int y) {
         for (int x = 0; x < width; ++x) {
             const glm::vec2 uv{(static_cast<float>(x) + 0.5f) / static_cast<float>(width),
@@ -58,7 +59,9 @@ float mean_over_directions(const lobe::latlong<float>& map) {
 
 std::size_t halvings(const lobe::latlong_pyramid<float>& pyramid, float angle) {
     std::size_t level = 0;
-    while (level + 1 < pyramid.size() && lobe::pi<float>() / static_cast<float>(pyramid.level(level + 1).height) <= angle) ++level;
+    while (level + 1 < pyramid.size() &&
+           lobe::pi<float>() / static_cast<float>(pyramid.level(level + 1).height) <= angle)
+        ++level;
     return level;
 }
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include <lobe/core/roughness.hpp>
 #include <lobe/energy/dfg_table.hpp>
 #include <lobe/ibl/latlong.hpp>
+#include <lobe/width/alpha.hpp>
 
 using split_sum_table = lobe::dfg_table<float, lobe::smith_correlated>;
 

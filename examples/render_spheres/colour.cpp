@@ -21,7 +21,9 @@ dvec3 direction(const dvec2& c) { return {c.x, c.y, 1 - c.x - c.y}; }
 
 dvec3 white_of(const chromaticities& space) { return direction(space[3]) / space[3].y; }  // Y = 1
 
-dmat3 directions_of(const chromaticities& space) { return {direction(space[0]), direction(space[1]), direction(space[2])}; }
+dmat3 directions_of(const chromaticities& space) {
+    return {direction(space[0]), direction(space[1]), direction(space[2])};
+}
 
 /// SMPTE RP 177: as much of each primary as makes white of all three.
 dmat3 to_xyz(const chromaticities& space) {
@@ -38,11 +40,12 @@ bool is_colour_space(const chromaticities& space) {
     for (const dvec2& c : space)
         if (!(std::abs(c.x) <= furthest && std::abs(c.y) <= furthest)) return false;
     if (space[3].y < least || std::abs(determinant(directions_of(space))) < least) return false;
-    return smallest(inverse(directions_of(space)) * direction(space[3])) >= least && smallest(bradford * white_of(space)) >= least;
+    return smallest(inverse(directions_of(space)) * direction(space[3])) >= least &&
+           smallest(bradford * white_of(space)) >= least;
 }
 
-/// Rec. 709 in other numbers: Photoshop writes its primaries adapted to the D50 of ICC profiles, and rounded. What these differ
-/// by is less than a half rounds, and to convert by it would push pure colours out of Rec. 709.
+/// Rec. 709 in other numbers: Photoshop writes its primaries adapted to the D50 of ICC profiles, and rounded. What
+/// these differ by is less than a half rounds, and to convert by it would push pure colours out of Rec. 709.
 bool is_nearly_one(const dmat3& m) {
     constexpr double rounding = 0x1p-12;
     for (int column = 0; column < 3; ++column)
@@ -55,7 +58,8 @@ bool is_nearly_one(const dmat3& m) {
 
 dmat3 to_rec709(const chromaticities& space, const char* name) {
     if (!is_colour_space(space))
-        throw std::runtime_error(std::string(name) + " are of no colour space: three corners of a triangle and a white inside are needed");
+        throw std::runtime_error(std::string(name) +
+                                 " are of no colour space: three corners of a triangle and a white inside are needed");
     const dvec3 adapted = (bradford * white_of(rec709)) / (bradford * white_of(space));
     const dmat3 adapt = inverse(bradford) * dmat3{adapted.x, 0, 0, 0, adapted.y, 0, 0, 0, adapted.z} * bradford;
     const dmat3 conversion = xyz_to_rec709() * adapt * to_xyz(space);

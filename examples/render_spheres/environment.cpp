@@ -15,7 +15,8 @@ void check_shape(long long width, long long height) {
     std::ostringstream size;
     size << width << " x " << height << " pixels";
     if (width <= 0 || height <= 0) throw problem("is empty: " + size.str());
-    if (width != 2 * height) throw problem("is no lat-long map: " + size.str() + ", and its width must be twice its height");
+    if (width != 2 * height)
+        throw problem("is no lat-long map: " + size.str() + ", and its width must be twice its height");
     if (width > largest_width) throw problem("is too large: " + size.str() + ", at most 8192 x 4096 are read");
 }
 
@@ -29,7 +30,8 @@ constexpr float largest_radiance = 1e20f;  // the squares and sums of anything b
     throw problem(what.str());
 }
 
-/// Refuses what is no radiance. Values a hair below zero are what lossy compression (DWAB) leaves of black: they become 0.
+/// Refuses what is no radiance. Values a hair below zero are what lossy compression (DWAB) leaves of black: they become
+/// 0.
 void check_pixels(map_file& file) {
     image& map = file.pixels;
     for (int y = 0; y < map.height; ++y)
@@ -38,7 +40,8 @@ void check_pixels(map_file& file) {
                 if (!is_finite(map(x, y)[i]) || map(x, y)[i] > largest_radiance) refuse(x, y, map(x, y)[i]);
 
     double mean = 0;
-    for (const vec3& c : map.pixels) mean += std::max(0.0f, mean_of_channels(c)) / static_cast<double>(map.pixels.size());
+    for (const vec3& c : map.pixels)
+        mean += std::max(0.0f, mean_of_channels(c)) / static_cast<double>(map.pixels.size());
     const float floor = static_cast<float>(-0.01 * mean);
     int negative = 0;
     for (int y = 0; y < map.height; ++y)

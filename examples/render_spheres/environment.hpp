@@ -9,7 +9,8 @@
 /// Throws std::runtime_error, "FILE: problem", for anything that is no finite, non-negative 2:1 map that holds light.
 lobe::latlong<float> load_environment(const std::filesystem::path& file);
 
-/// A photographer's studio: softboxes of different sizes and colours, a floor and a ceiling. 512 x 256, always the same.
+/// A photographer's studio: softboxes of different sizes and colours, a floor and a ceiling. 512 x 256, always the
+/// same.
 lobe::latlong<float> studio_light();
 
 /// The white furnace: radiance 1 from everywhere.

@@ -28,7 +28,8 @@ std::vector<int> code_points(const std::string& utf8) {
 font::font(const std::filesystem::path& ttf) {
     std::ifstream file{ttf, std::ios::binary};
     data.assign(std::istreambuf_iterator<char>{file}, {});
-    if (data.empty() || !stbtt_InitFont(&info, data.data(), 0)) throw std::runtime_error(ttf.string() + ": is no font that can be read");
+    if (data.empty() || !stbtt_InitFont(&info, data.data(), 0))
+        throw std::runtime_error(ttf.string() + ": is no font that can be read");
 }
 
 float font::width(const std::string& utf8, float size) const {
@@ -46,8 +47,8 @@ void font::write(image& page, float x, float y, float size, const vec3& colour, 
     for (const int c : code_points(utf8)) {
         const int left = static_cast<int>(std::floor(x));
         int width = 0, height = 0, dx = 0, dy = 0, advance = 0, bearing = 0;
-        unsigned char* glyph =
-            stbtt_GetCodepointBitmapSubpixel(&info, scale, scale, x - static_cast<float>(left), 0, c, &width, &height, &dx, &dy);
+        unsigned char* glyph = stbtt_GetCodepointBitmapSubpixel(&info, scale, scale, x - static_cast<float>(left), 0, c,
+                                                                &width, &height, &dx, &dy);
         for (int j = 0; j < height; ++j)
             for (int i = 0; i < width; ++i) {
                 const int px = left + dx + i, py = static_cast<int>(y) + dy + j;

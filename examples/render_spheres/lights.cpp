@@ -13,7 +13,8 @@ namespace {
 float brightness(const lobe::latlong<float>& map, int x, int y) {
     float brightest = 0;
     for (int j = std::max(y - 1, 0); j <= std::min(y + 1, map.height - 1); ++j)
-        for (int i = -1; i <= 1; ++i) brightest = std::max(brightest, mean_of_channels(map.at((x + i + map.width) % map.width, j)));
+        for (int i = -1; i <= 1; ++i)
+            brightest = std::max(brightest, mean_of_channels(map.at((x + i + map.width) % map.width, j)));
     return brightest;
 }
 
@@ -46,9 +47,10 @@ lights::lights(const lobe::latlong<float>& map) : width(map.width), height(map.h
 lights::light lights::sample(float u, float x, float y) const {
     const auto found = std::upper_bound(cumulative.begin(), cumulative.end() - 1, u);
     const std::size_t i = texels[static_cast<std::size_t>(found - cumulative.begin())];
-    const auto column = static_cast<float>(static_cast<int>(i) % width), row = static_cast<float>(static_cast<int>(i) / width);
-    const vec3 direction =
-        lobe::latlong_direction(glm::vec2{(column + x) / static_cast<float>(width), (row + y) / static_cast<float>(height)});
+    const auto column = static_cast<float>(static_cast<int>(i) % width),
+               row = static_cast<float>(static_cast<int>(i) / width);
+    const vec3 direction = lobe::latlong_direction(
+        glm::vec2{(column + x) / static_cast<float>(width), (row + y) / static_cast<float>(height)});
     return {direction, density[i] / solid_angle_of_square(direction)};
 }
 

@@ -7,7 +7,8 @@
 
 #include <lobe/ibl/latlong.hpp>
 
-/// The lights of a lat-long map, as directions to sample: what is brighter than 50 times its mean, in proportion to the excess.
+/// The lights of a lat-long map, as directions to sample: what is brighter than 50 times its mean, in proportion to the
+/// excess.
 class lights {
 public:
     explicit lights(const lobe::latlong<float>& map);

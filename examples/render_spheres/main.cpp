@@ -22,10 +22,14 @@ struct options {
 
 options parsed(int argc, char** argv) {
     options o;
-    CLI::App app{"Renders spheres under a lat-long environment and in a white furnace: split sum, multiple scattering, reference."};
-    app.add_option("environment", o.environment, "Radiance HDR or OpenEXR, width = 2 x height; without it: a studio made here");
+    CLI::App app{"Renders spheres under a lat-long environment and in a white furnace: split sum, multiple scattering, "
+                 "reference."};
+    app.add_option("environment", o.environment,
+                   "Radiance HDR or OpenEXR, width = 2 x height; without it: a studio made here");
     app.add_option("--out", o.out, "folder for the pictures")->capture_default_str();
-    app.add_option("--tile", o.render.tile, "pixels across each sphere's tile")->check(CLI::Range(32, 512))->capture_default_str();
+    app.add_option("--tile", o.render.tile, "pixels across each sphere's tile")
+        ->check(CLI::Range(32, 512))
+        ->capture_default_str();
     app.add_option("--samples", o.render.samples, "random walks a pixel of the reference")
         ->check(CLI::Range(1, 1 << 24))
         ->capture_default_str();
@@ -72,13 +76,15 @@ int main(int argc, char** argv) try {
     few.samples = whole_batches(few.samples / 8);  // there is little noise under uniform light
     const baked_light white = bake(uniform_light(), roughnesses);
     report furnace{"Spheres in the white furnace, radiance 1 from everywhere", white, few};
-    for (const material& m : {white_metal, white_dielectric, gold}) furnace.add(m, render(m, white, table, vec3{1}, few));
+    for (const material& m : {white_metal, white_dielectric, gold})
+        furnace.add(m, render(m, white, table, vec3{1}, few));
 
     spheres.print_errors(std::cout);
     furnace.print_errors(std::cout);
 
     write_png(out.temporary("spheres.png"), spheres.tone_mapped_page(face));
-    write_exr(out.temporary("spheres.exr"), spheres.linear(), "radiance; rows: gold a b c |b-c|, white dielectric a b c |b-c|");
+    write_exr(out.temporary("spheres.exr"), spheres.linear(),
+              "radiance; rows: gold a b c |b-c|, white dielectric a b c |b-c|");
     write_png(out.temporary("furnace.png"), furnace.furnace_page(face));
     write_exr(out.temporary("furnace.exr"), furnace.linear(),
               "radiance; rows: white metal a b c |b-c|, white dielectric a b c |b-c|, gold a b c |b-c|");

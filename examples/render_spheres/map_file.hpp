@@ -21,10 +21,12 @@ struct map_file {
 using problem = std::runtime_error;
 
 constexpr int largest_width = 8192;
-void check_shape(long long width, long long height);  // throws a problem unless it is a lat-long map that is not too large
+// throws a problem unless it is a lat-long map that is not too large
+void check_shape(long long width, long long height);
 
 map_file read_radiance(const std::filesystem::path& path);
 map_file read_open_exr(const std::filesystem::path& path);
 
-/// By the bits: under -ffast-math a compiler takes it that no float is a NaN, and drops every comparison that would find one.
+/// By the bits: under -ffast-math a compiler takes it that no float is a NaN, and drops every comparison that would
+/// find one.
 inline bool is_finite(float value) { return (std::bit_cast<std::uint32_t>(value) & 0x7f800000u) != 0x7f800000u; }

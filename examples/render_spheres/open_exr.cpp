@@ -19,7 +19,8 @@
 
 namespace {
 
-/// A set of channels that makes a picture: "R", "G", "B" at the top level (the layer ""), "left.diffuse.R" ... in a layer, or Y.
+/// A set of channels that makes a picture: "R", "G", "B" at the top level (the layer ""), "left.diffuse.R" ... in a
+/// layer, or Y.
 struct picture {
     int part;
     std::string layer;
@@ -37,7 +38,8 @@ std::vector<picture> pictures_of(int part, const Imf::ChannelList& channels) {
         const std::string name = c.name();
         const std::size_t dot = name.rfind('.');
         const std::string layer = dot == std::string::npos ? "" : name.substr(0, dot);
-        by_layer.try_emplace(layer, picture{part, layer, {}}).first->second.channels.insert(name.substr(dot + 1));  // npos + 1 is 0
+        // npos + 1 is 0
+        by_layer.try_emplace(layer, picture{part, layer, {}}).first->second.channels.insert(name.substr(dot + 1));
     }
     std::vector<picture> found;
     for (auto& [layer, p] : by_layer) found.push_back(std::move(p));
@@ -66,18 +68,22 @@ picture choose(const Imf::MultiPartInputFile& file, std::vector<std::string>& no
             (p.layer.empty() ? top : layers).push_back(std::move(p));
         }
     }
-    const auto part_name = [&](int part) { return file.header(part).hasName() ? file.header(part).name() : std::to_string(part + 1); };
+    const auto part_name = [&](int part) {
+        return file.header(part).hasName() ? file.header(part).name() : std::to_string(part + 1);
+    };
     for (const auto is_one : {&picture::is_rgb, &picture::is_grey}) {
         std::vector<picture> fit;
         std::ranges::copy_if(top, std::back_inserter(fit), is_one);
-        if (fit.size() > 1) notes.push_back("several of its parts are pictures; the first is read, \"" + part_name(fit[0].part) + "\"");
+        if (fit.size() > 1)
+            notes.push_back("several of its parts are pictures; the first is read, \"" + part_name(fit[0].part) + "\"");
         if (!fit.empty()) return fit[0];
     }
     for (const auto is_one : {&picture::is_rgb, &picture::is_grey}) {
         std::vector<picture> fit;
         std::ranges::copy_if(layers, std::back_inserter(fit), is_one);
         std::set<std::string> names;
-        for (const picture& p : fit) names.insert(file.parts() > 1 ? p.layer + " (part " + part_name(p.part) + ")" : p.layer);
+        for (const picture& p : fit)
+            names.insert(file.parts() > 1 ? p.layer + " (part " + part_name(p.part) + ")" : p.layer);
         if (fit.size() > 1) throw problem("has several layers and none at the top level: " + listed(names));
         if (fit.empty()) continue;
         notes.push_back("layer " + *names.begin() + " is read");
@@ -91,7 +97,8 @@ void check_sampling(const picture& p, const Imf::ChannelList& channels) {
     for (const std::string name : {"R", "G", "B", "Y"}) {
         if ((name == "Y") == p.is_rgb()) continue;
         const Imf::Channel* c = channels.findChannel(p.full(name));
-        if (c->xSampling != 1 || c->ySampling != 1) throw problem("has the channel " + p.full(name) + " subsampled, which is not read");
+        if (c->xSampling != 1 || c->ySampling != 1)
+            throw problem("has the channel " + p.full(name) + " subsampled, which is not read");
     }
 }
 
@@ -102,12 +109,15 @@ image read_pixels(const std::filesystem::path& path, Imf::MultiPartInputFile& fi
     const auto width = static_cast<std::size_t>(data.width);
 
     if (!p.is_rgb() && p.has_chroma()) {  // luminance and chroma: the library knows how to put these together
-        if (file.parts() > 1) throw problem("has several parts, and luminance and chroma (Y, RY, BY) are not read from such");
+        if (file.parts() > 1)
+            throw problem("has several parts, and luminance and chroma (Y, RY, BY) are not read from such");
         std::vector<Imf::Rgba> halves(data.pixels.size());
         Imf::RgbaInputFile rgba{path.c_str(), p.layer};
         rgba.setFrameBuffer(&halves[0] - window.min.x - static_cast<std::ptrdiff_t>(width) * window.min.y, 1, width);
         rgba.readPixels(window.min.y, window.max.y);
-        std::transform(halves.begin(), halves.end(), data.pixels.begin(), [](const Imf::Rgba& c) { return vec3{c.r, c.g, c.b}; });
+        std::transform(halves.begin(), halves.end(), data.pixels.begin(), [](const Imf::Rgba& c) {
+            return vec3{c.r, c.g, c.b};
+        });
         return data;
     }
     Imf::FrameBuffer buffer;
@@ -125,7 +135,8 @@ image read_pixels(const std::filesystem::path& path, Imf::MultiPartInputFile& fi
 }
 
 chromaticities chromaticities_of(const Imf::Header& header) {
-    const Imf::Chromaticities file = hasChromaticities(header) ? Imf::chromaticities(header) : Imf::Chromaticities{};  // Rec. 709
+    // Rec. 709
+    const Imf::Chromaticities file = hasChromaticities(header) ? Imf::chromaticities(header) : Imf::Chromaticities{};
     chromaticities space;
     const Imath::V2f corners[] = {file.red, file.green, file.blue, file.white};
     for (std::size_t i = 0; i < 4; ++i) {

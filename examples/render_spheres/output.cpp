@@ -7,7 +7,8 @@
 
 namespace fs = std::filesystem;
 
-output_folder::output_folder(fs::path folder_, const std::vector<std::string>& names_) : folder(std::move(folder_)), names(names_) {
+output_folder::output_folder(fs::path folder_, const std::vector<std::string>& names_)
+    : folder(std::move(folder_)), names(names_) {
     std::error_code error;
     made = fs::create_directories(folder, error);
     if (!error && !fs::is_directory(folder, error)) error = std::make_error_code(std::errc::not_a_directory);
@@ -16,7 +17,8 @@ output_folder::output_folder(fs::path folder_, const std::vector<std::string>& n
     for (const std::string& name : names) {
         if (fs::is_directory(folder / name))
             throw std::runtime_error((folder / name).string() + ": is a folder, and a picture is to be written there");
-        if (!std::ofstream{temporary(name)}) throw std::runtime_error(folder.string() + ": cannot be written to: " + std::strerror(errno));
+        if (!std::ofstream{temporary(name)})
+            throw std::runtime_error(folder.string() + ": cannot be written to: " + std::strerror(errno));
         fs::remove(temporary(name));
     }
 }

@@ -16,7 +16,8 @@
 #include <glm/common.hpp>
 #include <stb_image_write.h>
 
-// ---- colours -----------------------------------------------------------------------------------------------------------
+// ---- colours
+// -----------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -48,18 +49,22 @@ vec3 false_colour(float x) {
     return mix(inferno[i], inferno[i + 1], position - static_cast<float>(i)) / 255.0f;
 }
 
-// ---- files -------------------------------------------------------------------------------------------------------------
+// ---- files
+// -------------------------------------------------------------------------------------------------------------
 
 void write_png(const std::filesystem::path& path, const image& screen_colours) {
     std::vector<std::uint8_t> bytes;
     bytes.reserve(3 * screen_colours.pixels.size());
     for (const vec3& c : screen_colours.pixels)
-        for (const float x : {c.x, c.y, c.z}) bytes.push_back(static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0f, 1.0f))));
+        for (const float x : {c.x, c.y, c.z})
+            bytes.push_back(static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0f, 1.0f))));
 
     std::ofstream file{path, std::ios::binary};
-    const auto append = [](void* out, void* data, int size) { static_cast<std::ofstream*>(out)->write(static_cast<char*>(data), size); };
-    const int done =
-        stbi_write_png_to_func(append, &file, screen_colours.width, screen_colours.height, 3, bytes.data(), 3 * screen_colours.width);
+    const auto append = [](void* out, void* data, int size) {
+        static_cast<std::ofstream*>(out)->write(static_cast<char*>(data), size);
+    };
+    const int done = stbi_write_png_to_func(append, &file, screen_colours.width, screen_colours.height, 3, bytes.data(),
+                                            3 * screen_colours.width);
     file.close();
     if (!done || !file) throw std::runtime_error(path.string() + ": cannot be written");
 }
@@ -72,7 +77,8 @@ void write_exr(const std::filesystem::path& path, const image& radiance, const s
     const char* const names[] = {"R", "G", "B"};
     for (int i = 0; i < 3; ++i) {
         header.channels().insert(names[i], Imf::Channel(Imf::FLOAT));
-        auto* first = reinterpret_cast<char*>(const_cast<float*>(&radiance.pixels[0][i]));  // OpenEXR's slices serve reading too
+        // OpenEXR's slices serve reading too
+        auto* first = reinterpret_cast<char*>(const_cast<float*>(&radiance.pixels[0][i]));
         pixels.insert(names[i], Imf::Slice(Imf::FLOAT, first, sizeof(vec3), row));
     }
     Imf::OutputFile file(path.c_str(), header);

@@ -1,5 +1,6 @@
-// Radiance pictures, by "Radiance File Formats" (filefmts.pdf of the Radiance distribution), G. Ward, "Real Pixels", Graphics
-// Gems II, 1991, and where these leave a choice by what Radiance's own reader does (Ward, ray/src/common/color.c, header.c).
+// Radiance pictures, by "Radiance File Formats" (filefmts.pdf of the Radiance distribution), G. Ward, "Real Pixels",
+// Graphics Gems II, 1991, and where these leave a choice by what Radiance's own reader does (Ward,
+// ray/src/common/color.c, header.c).
 #include "colour.hpp"
 #include "map_file.hpp"
 
@@ -57,7 +58,8 @@ std::array<double, N> numbers(const std::string& name, const std::string& text) 
     std::array<double, N> values{};
     for (double& value : values) in >> value;
     if (!in || !(in >> std::ws).eof())
-        throw problem(name + " must be " + (N == 1 ? "a number" : std::to_string(N) + " numbers") + ", not \"" + text + "\"");
+        throw problem(name + " must be " + (N == 1 ? "a number" : std::to_string(N) + " numbers") + ", not \"" + text +
+                      "\"");
     return values;
 }
 
@@ -65,12 +67,14 @@ void multiply(header& head, const std::string& name, const std::array<double, 3>
     for (int i = 0; i < 3; ++i) {
         if (!(factors[static_cast<std::size_t>(i)] > 0)) throw problem(name + " must be above 0");
         head.applied[i] *= factors[static_cast<std::size_t>(i)];
-        if (!(head.applied[i] >= 1e-300 && head.applied[i] <= 1e300)) throw problem(name + " goes beyond 1e-300 or 1e300");
+        if (!(head.applied[i] >= 1e-300 && head.applied[i] <= 1e300))
+            throw problem(name + " goes beyond 1e-300 or 1e300");
     }
 }
 
-/// Lines NAME=value up to an empty one. EXPOSURE and COLORCORR accumulate, the last PRIMARIES count. All else says nothing of
-/// the pixels: comments, the commands that made the picture, and, indented, the headers of the pictures that it was made from.
+/// Lines NAME=value up to an empty one. EXPOSURE and COLORCORR accumulate, the last PRIMARIES count. All else says
+/// nothing of the pixels: comments, the commands that made the picture, and, indented, the headers of the pictures that
+/// it was made from.
 header read_header(source& in) {
     header head;
     for (std::string line = in.line(); !line.empty(); line = in.line()) {
@@ -100,7 +104,8 @@ header read_header(source& in) {
     return head;
 }
 
-/// "-Y 4 +X 8" is 4 scanlines from the top, each of 8 pixels from the left; "+X 8 -Y 4" is 8 columns from the left, each from the top.
+/// "-Y 4 +X 8" is 4 scanlines from the top, each of 8 pixels from the left; "+X 8 -Y 4" is 8 columns from the left,
+/// each from the top.
 struct resolution {
     long long width = 0, height = 0;
     bool columns = false, leftwards = false, upwards = false;
@@ -119,8 +124,8 @@ resolution read_resolution(source& in) {
     return {size[x], size[y], x == 0, sign[x] == '-', sign[y] == '+'};
 }
 
-/// Pixel after pixel. One with the mantissas 1, 1, 1 (no true pixel is so small against its exponent) repeats the last one as
-/// often as its exponent says; the next such one holds the next 8 bits of the count.
+/// Pixel after pixel. One with the mantissas 1, 1, 1 (no true pixel is so small against its exponent) repeats the last
+/// one as often as its exponent says; the next such one holds the next 8 bits of the count.
 void read_old_scanline(source& in, rgbe pixel, std::vector<rgbe>& line) {
     std::size_t i = 0;
     for (int shift = 0;;) {
@@ -140,13 +145,16 @@ void read_old_scanline(source& in, rgbe pixel, std::vector<rgbe>& line) {
     }
 }
 
-/// Since Radiance 2.0: the bytes 2, 2, the length in two bytes; then each of the four components by itself, in runs (128 + count,
-/// byte) and pieces without one (count, bytes). Scanlines below 8 or above 32767 pixels are never written so.
+/// Since Radiance 2.0: the bytes 2, 2, the length in two bytes; then each of the four components by itself, in runs
+/// (128 + count, byte) and pieces without one (count, bytes). Scanlines below 8 or above 32767 pixels are never written
+/// so.
 void read_scanline(source& in, std::vector<rgbe>& line) {
     const rgbe start = in.pixel();
     const std::size_t length = line.size();
-    if (length < 8 || length > 32767 || start[0] != 2 || start[1] != 2 || start[2] > 127) return read_old_scanline(in, start, line);
-    if (start[2] * 256u + start[3] != length) throw problem("is damaged: a scanline's length is not that of the picture");
+    if (length < 8 || length > 32767 || start[0] != 2 || start[1] != 2 || start[2] > 127)
+        return read_old_scanline(in, start, line);
+    if (start[2] * 256u + start[3] != length)
+        throw problem("is damaged: a scanline's length is not that of the picture");
     for (std::size_t component = 0; component < 4; ++component)
         for (std::size_t i = 0; i < length;) {
             const unsigned char code = in.next();
@@ -161,14 +169,16 @@ void read_scanline(source& in, std::vector<rgbe>& line) {
 /// The mantissa is taken as it is, like most programs do (Radiance adds half a step): 1 then is 1.
 float decoded(const rgbe& pixel, int i, const header& head) {
     if (pixel[3] == 0) return 0;
-    const double value = std::ldexp(static_cast<double>(pixel[static_cast<std::size_t>(i)]), pixel[3] - 136) / head.applied[i];
+    const double value =
+        std::ldexp(static_cast<double>(pixel[static_cast<std::size_t>(i)]), pixel[3] - 136) / head.applied[i];
     return static_cast<float>(std::min(value, static_cast<double>(std::numeric_limits<float>::max())));
 }
 
 }  // namespace
 
-// Without PRIMARIES the pixels are taken for Rec. 709: that is what nearly all programs write, though Radiance's own default has
-// another green and an equal-energy white. XYZ is CIE's, of 1 for white, taken as it stands: no 179 lumens a watt, no adaptation.
+// Without PRIMARIES the pixels are taken for Rec. 709: that is what nearly all programs write, though Radiance's own
+// default has another green and an equal-energy white. XYZ is CIE's, of 1 for white, taken as it stands: no 179 lumens
+// a watt, no adaptation.
 map_file read_radiance(const std::filesystem::path& path) {
     source in{std::ifstream{path, std::ios::binary}};
     const header head = read_header(in);

@@ -12,9 +12,10 @@ inline std::uint64_t mixed_bits(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
-/// The uniform numbers of one batch of samples: a callable, as lobe::random_walk takes it. The first seven numbers of sample
-/// 0, 1, 2... are an additive recurrence (Roberts 2018: the powers of 1/g, g^8 = g + 1) with a random shift of its own, so
-/// that the samples of a batch spread evenly and different batches are independent; what follows is PCG32 (O'Neill 2014).
+/// The uniform numbers of one batch of samples: a callable, as lobe::random_walk takes it. The first seven numbers of
+/// sample 0, 1, 2... are an additive recurrence (Roberts 2018: the powers of 1/g, g^8 = g + 1) with a random shift of
+/// its own, so that the samples of a batch spread evenly and different batches are independent; what follows is PCG32
+/// (O'Neill 2014).
 class sample_stream {
 public:
     explicit sample_stream(std::uint64_t seed) : state(mixed_bits(seed)) {

@@ -16,7 +16,8 @@ namespace {
 // The camera is far away and looks along +x, at the middle of the map; y is up, z is on its right.
 const vec3 V{-1, 0, 0};
 
-// ---- the three ways to light a point -----------------------------------------------------------------------------------
+// ---- the three ways to light a point
+// -----------------------------------------------------------------------------------
 
 /// What the reference looks up: the map itself, and the small lights in it.
 struct reference_map {
@@ -49,10 +50,10 @@ vec3 multiple_scattering(const surface& s, const vec3& n) {
     return w.radiance * s.level.radiance(lobe::reflect(V, n)) + w.irradiance * s.light.irradiance(n);
 }
 
-/// (c) One sample of the reference: a random walk on the microsurface that looks up the map itself. Walks of one bounce have
-/// a closed form, smith_correlated, whose density is f_cos of a perfect mirror: so these find small lights by sampling the
-/// lights, too (multiple importance sampling, balance heuristic). What the facets do not reflect enters the body and comes
-/// back without a preferred direction: as irradiance, times the albedo.
+/// (c) One sample of the reference: a random walk on the microsurface that looks up the map itself. Walks of one bounce
+/// have a closed form, smith_correlated, whose density is f_cos of a perfect mirror: so these find small lights by
+/// sampling the lights, too (multiple importance sampling, balance heuristic). What the facets do not reflect enters
+/// the body and comes back without a preferred direction: as irradiance, times the albedo.
 vec3 reference_sample(const surface& s, const lobe::frame<float>& at, const vec3& irradiance, sample_stream& uniform) {
     const lobe::ggx normals{s.level.alpha};
     const lobe::schlick fresnel{s.m.f0};
@@ -102,14 +103,18 @@ estimate reference(const surface& s, const vec3& n, const vec3& irradiance, int 
     return result;
 }
 
-// ---- the sphere in its tile --------------------------------------------------------------------------------------------
+// ---- the sphere in its tile
+// --------------------------------------------------------------------------------------------
 
 struct disc {
     float radius, centre;
 
-    explicit disc(int tile) : radius(0.46f * static_cast<float>(tile)), centre(0.5f * static_cast<float>(tile) - 0.5f) {}
+    explicit disc(int tile)
+        : radius(0.46f * static_cast<float>(tile)), centre(0.5f * static_cast<float>(tile) - 0.5f) {}
 
-    float distance(int x, int y) const { return std::hypot(static_cast<float>(x) - centre, static_cast<float>(y) - centre); }
+    float distance(int x, int y) const {
+        return std::hypot(static_cast<float>(x) - centre, static_cast<float>(y) - centre);
+    }
     /// The part of the pixel that the sphere covers.
     float coverage(int x, int y) const { return std::clamp(radius - distance(x, y) + 0.5f, 0.0f, 1.0f); }
     /// The normal under the middle of the pixel; at the rim, where the middle may miss, a grazing one.
@@ -144,8 +149,8 @@ void measure(sphere& s, const std::vector<double>& squared_error, const disc& ar
 
 }  // namespace
 
-std::vector<sphere> render(const material& m, const baked_light& light, const split_sum_table& table, const vec3& background,
-                           const settings& set) {
+std::vector<sphere> render(const material& m, const baked_light& light, const split_sum_table& table,
+                           const vec3& background, const settings& set) {
     const disc area(set.tile);
     const auto tile = static_cast<std::size_t>(set.tile);
     const image blank{set.tile, set.tile};
@@ -172,7 +177,8 @@ std::vector<sphere> render(const material& m, const baked_light& light, const sp
         sphere& out = spheres[column];
         for (int x = 0; x < set.tile; ++x) {
             const float coverage = area.coverage(x, y);
-            const std::size_t pixel = row * tile + static_cast<std::size_t>(x);  // its seed: the same whatever core it runs on
+            // its seed: the same whatever core it runs on
+            const std::size_t pixel = row * tile + static_cast<std::size_t>(x);
             estimate a, b, c;
             if (coverage > 0) {
                 const vec3 n = area.normal(x, y);

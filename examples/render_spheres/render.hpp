@@ -16,7 +16,9 @@ struct material {
 
 constexpr int batches = 16;  // of samples, independent of each other: their spread is the noise
 
-constexpr int whole_batches(int samples) { return (samples / batches + (samples % batches != 0 || samples == 0)) * batches; }
+constexpr int whole_batches(int samples) {
+    return (samples / batches + (samples % batches != 0 || samples == 0)) * batches;
+}
 
 struct settings {
     int tile;     // pixels across the picture of one sphere
@@ -38,4 +40,5 @@ struct sphere {
 };
 
 /// One sphere for each level of the light.
-std::vector<sphere> render(const material&, const baked_light&, const split_sum_table&, const vec3& background, const settings&);
+std::vector<sphere> render(const material&, const baked_light&, const split_sum_table&, const vec3& background,
+                           const settings&);

@@ -70,7 +70,8 @@ void report::print_errors(std::ostream& out) const {
             out << "\n";
         }
     }
-    out << "mean: sum of the differences / sum of (c) over a sphere's pixels; largest: of a pixel, / mean of (c)\n" << std::flush;
+    out << "mean: sum of the differences / sum of (c) over a sphere's pixels; largest: of a pixel, / mean of (c)\n"
+        << std::flush;
 }
 
 /// 1, 2 or 5 times a power of ten, above all differences but the largest hundredth of them.
@@ -95,22 +96,28 @@ image report::page(const font& face, const std::string& note, const Screen& scre
     s.column_title = "roughness";
     for (const float r : roughnesses) s.columns.push_back(fixed(r, 2));
     s.scale_end = scale_end();
-    s.scale_title =
-        "(d): difference of radiance, mean of r, g and b, in units of the light's mean radiance (" + text(mean_radiance, 3) + ")";
+    s.scale_title = "(d): difference of radiance, mean of r, g and b, in units of the light's mean radiance (" +
+                    text(mean_radiance, 3) + ")";
 
     const float unit = 1 / (s.scale_end * mean_radiance);
-    const std::array<const char*, rows.size()> labels{"(a) single scattering", "(b) multiple scattering", "(c) random walk", "(d) |b − c|"};
-    std::array<const char*, rows.size()> details{"split sum", "split sum; Fdez-Agüera 2019", "the reference", "in false colours"};
+    const std::array<const char*, rows.size()> labels{"(a) single scattering", "(b) multiple scattering",
+                                                      "(c) random walk", "(d) |b − c|"};
+    std::array<const char*, rows.size()> details{"split sum", "split sum; Fdez-Agüera 2019", "the reference",
+                                                 "in false colours"};
     for (const auto& r : results) {
         const vec3 f0 = r.of.f0;
-        const std::string rgb = f0.x == f0.z ? text(f0.x, 2) : "(" + fixed(f0.x, 2) + ", " + fixed(f0.y, 2) + ", " + fixed(f0.z, 2) + ")";
-        sheet::group group{r.of.name + ", F0 = " + rgb + (r.of.albedo == vec3{0} ? "" : ", diffuse albedo " + text(r.of.albedo.x, 2)), {}};
+        const std::string rgb =
+            f0.x == f0.z ? text(f0.x, 2) : "(" + fixed(f0.x, 2) + ", " + fixed(f0.y, 2) + ", " + fixed(f0.z, 2) + ")";
+        sheet::group group{r.of.name + ", F0 = " + rgb +
+                               (r.of.albedo == vec3{0} ? "" : ", diffuse albedo " + text(r.of.albedo.x, 2)),
+                           {}};
         details[0] = r.of.albedo == vec3{0} ? "split sum" : "split sum; kd = 1 − F(n·v)";
         for (std::size_t i = 0; i < rows.size(); ++i) {
             group.rows.push_back({labels[i], details[i], {}});
             for (const sphere& one : r.spheres) {
                 image tile = one.*rows[i];
-                for (vec3& c : tile.pixels) c = rows[i] == &sphere::difference ? false_colour(mean_of_channels(c) * unit) : screen(c);
+                for (vec3& c : tile.pixels)
+                    c = rows[i] == &sphere::difference ? false_colour(mean_of_channels(c) * unit) : screen(c);
                 group.rows.back().tiles.push_back(std::move(tile));
             }
         }
@@ -120,7 +127,8 @@ image report::page(const font& face, const std::string& note, const Screen& scre
 }
 
 image report::tone_mapped_page(const font& face) const {
-    const float exposure = 0.5f / mean_radiance;  // a white matte sphere sends back the light's mean radiance, on average over it
+    // a white matte sphere sends back the light's mean radiance, on average over it
+    const float exposure = 0.5f / mean_radiance;
     return page(face,
                 "(a) to (c): radiance × " + text(exposure, 3) +
                     " (0.5 / mean radiance of the light), ACES filmic curve (Narkowicz 2015), sRGB",
@@ -128,8 +136,10 @@ image report::tone_mapped_page(const font& face) const {
 }
 
 image report::furnace_page(const font& face) const {
-    return page(face, "(a) to (c): radiance × 0.8, sRGB. A sphere that keeps all energy cannot be told from the light behind it.",
-                [&](const vec3& c) { return as_it_is(c, 0.8f); });
+    return page(
+        face,
+        "(a) to (c): radiance × 0.8, sRGB. A sphere that keeps all energy cannot be told from the light behind it.",
+        [&](const vec3& c) { return as_it_is(c, 0.8f); });
 }
 
 image report::linear() const {
@@ -138,7 +148,8 @@ image report::linear() const {
     int top = 0;
     for (const auto& r : results)
         for (const auto row : rows) {
-            for (std::size_t i = 0; i < r.spheres.size(); ++i) paste(all, r.spheres[i].*row, static_cast<int>(i) * tile, top);
+            for (std::size_t i = 0; i < r.spheres.size(); ++i)
+                paste(all, r.spheres[i].*row, static_cast<int>(i) * tile, top);
             top += tile;
         }
     return all;

@@ -33,12 +33,14 @@ image drawn(const sheet& s, const font& face) {
             ++rows;
         }
     const int left = margin + static_cast<int>(label_width) + 2 * gap;
-    const int top = margin + static_cast<int>(2.0f * size + static_cast<float>(s.notes.size()) * 1.4f * small + 2.2f * line);
+    const int top =
+        margin + static_cast<int>(2.0f * size + static_cast<float>(s.notes.size()) * 1.4f * small + 2.2f * line);
     const int grid_width = static_cast<int>(s.columns.size()) * tile.width;
     const int heading = static_cast<int>(2.2f * size);
     const int bar_top = top + rows * tile.height + static_cast<int>(s.groups.size()) * heading + margin;
     const int bar_height = static_cast<int>(size);
-    const int text_right = std::max(margin + static_cast<int>(notes_width), left + static_cast<int>(face.width(s.scale_title, small)));
+    const int text_right =
+        std::max(margin + static_cast<int>(notes_width), left + static_cast<int>(face.width(s.scale_title, small)));
     const int page_width = std::max(left + grid_width, text_right) + margin;
     image page{page_width, bar_top + bar_height + static_cast<int>(2 * line) + margin};
     std::fill(page.pixels.begin(), page.pixels.end(), paper);
@@ -59,8 +61,8 @@ image drawn(const sheet& s, const font& face) {
     const float column_line = static_cast<float>(top) - 0.3f * size;
     write(x0, column_line, size, faint, s.column_title);
     for (std::size_t i = 0; i < s.columns.size(); ++i)
-        centred(static_cast<float>(left) + (static_cast<float>(i) + 0.5f) * static_cast<float>(tile.width), column_line, size, ink,
-                s.columns[i]);
+        centred(static_cast<float>(left) + (static_cast<float>(i) + 0.5f) * static_cast<float>(tile.width), column_line,
+                size, ink, s.columns[i]);
 
     // The tiles and the words beside them.
     int row_top = top;
@@ -71,7 +73,8 @@ image drawn(const sheet& s, const font& face) {
             const float middle = static_cast<float>(row_top) + static_cast<float>(tile.height) / 2;
             write(x0, middle, size, ink, row.label);
             write(x0, middle + 1.4f * small, small, faint, row.detail);
-            for (std::size_t i = 0; i < row.tiles.size(); ++i) paste(page, row.tiles[i], left + static_cast<int>(i) * tile.width, row_top);
+            for (std::size_t i = 0; i < row.tiles.size(); ++i)
+                paste(page, row.tiles[i], left + static_cast<int>(i) * tile.width, row_top);
             row_top += tile.height;
         }
     }
@@ -84,9 +87,11 @@ image drawn(const sheet& s, const font& face) {
             page(left + i, bar_top + j) = false_colour((static_cast<float>(i) + 0.5f) / static_cast<float>(grid_width));
     constexpr int ticks = 5;
     for (int i = 0; i <= ticks; ++i) {
-        const float part = static_cast<float>(i) / ticks, x = static_cast<float>(left) + part * static_cast<float>(grid_width - 1);
+        const float part = static_cast<float>(i) / ticks,
+                    x = static_cast<float>(left) + part * static_cast<float>(grid_width - 1);
         for (int j = 0; j < gap; ++j) page(static_cast<int>(x), bar_top + bar_height + j) = faint;
-        centred(x, bar_line + static_cast<float>(gap) + size, small, ink, (i == ticks ? "≥ " : "") + number(part * s.scale_end));
+        centred(x, bar_line + static_cast<float>(gap) + size, small, ink,
+                (i == ticks ? "≥ " : "") + number(part * s.scale_end));
     }
     write(static_cast<float>(left), bar_line + static_cast<float>(gap) + size + line, small, faint, s.scale_title);
     return page;

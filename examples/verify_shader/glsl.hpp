@@ -17,7 +17,8 @@ namespace shader {
 
 using namespace glm;
 
-// GLSL leaves pow(x < 0, y) and pow(0, y <= 0) undefined: GPUs take exp2(y log2(x)), which is NaN or infinite there. C++ has an answer.
+// GLSL leaves pow(x < 0, y) and pow(0, y <= 0) undefined: GPUs take exp2(y log2(x)), which is NaN or infinite there.
+// C++ has an answer.
 inline float pow(float x, float y) {
     if (x < 0 || (x == 0 && y <= 0)) return std::numeric_limits<float>::quiet_NaN();
     return std::pow(x, y);

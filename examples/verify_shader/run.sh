@@ -4,7 +4,7 @@
 # Exit status: 0 all passed, 1 something failed, 2 a file is missing, cannot be read or does not compile.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-source "$here/../../tests/setup.sh"
+source "$here/../../scripts/setup.sh"
 need g++ libglm-dev glslang-tools python3 spirv-cross
 export LC_ALL=C
 

@@ -4,16 +4,24 @@
 #include <lobe/version.hpp>
 
 #include <lobe/core/frame.hpp>
-#include <lobe/core/roughness.hpp>
 #include <lobe/core/scalar.hpp>
 #include <lobe/core/spectrum.hpp>
 #include <lobe/core/vector.hpp>
+
+#include <lobe/numeric/gauss_legendre.hpp>
+#include <lobe/numeric/integrals.hpp>
+#include <lobe/numeric/precision.hpp>
+#include <lobe/numeric/roots.hpp>
+#include <lobe/numeric/special_functions.hpp>
+
+#include <lobe/width/alpha.hpp>
+#include <lobe/width/antialiasing.hpp>
+#include <lobe/width/exponents.hpp>
 
 #include <lobe/sampling/points.hpp>
 #include <lobe/sampling/warp.hpp>
 
 #include <lobe/ndf/abc.hpp>
-#include <lobe/ndf/antialiasing.hpp>
 #include <lobe/ndf/beckmann.hpp>
 #include <lobe/ndf/blinn_phong.hpp>
 #include <lobe/ndf/concepts.hpp>
@@ -41,6 +49,7 @@
 
 #include <lobe/brdf/burley.hpp>
 #include <lobe/brdf/concepts.hpp>
+#include <lobe/brdf/diffuse.hpp>
 #include <lobe/brdf/diffuse_samplers.hpp>
 #include <lobe/brdf/eon.hpp>
 #include <lobe/brdf/ggx_samplers.hpp>
@@ -51,6 +60,7 @@
 #include <lobe/brdf/microfacet.hpp>
 #include <lobe/brdf/oren_nayar.hpp>
 #include <lobe/brdf/samplers.hpp>
+#include <lobe/brdf/scaled.hpp>
 #include <lobe/brdf/schlick_ggx.hpp>
 #include <lobe/brdf/sum.hpp>
 #include <lobe/brdf/v_cavity.hpp>

@@ -1,5 +1,5 @@
-// Values as the flags of this build make them, and the truth, compiled without any. (A program linked with -ffast-math takes denormals for
-// zeros in both: there u < 2^-126 is 0.)
+// Values as the flags of this build make them, and the truth, compiled without any. (A program linked with -ffast-math
+// takes denormals for zeros in both: there u < 2^-126 is 0.)
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@ using result = std::array<double, 3>;
 [[gnu::visibility("default")]] result value_in_float(int row, const double* x);
 [[gnu::visibility("default")]] result value_in_double(int row, const double* x);
 
-/// How far it is from the same formula on fifty digits, in the row's unit: infinitely far if it is a NaN. Negative where the truth leaves
-/// the type's range and the value does so too.
+/// How far it is from the same formula on fifty digits, in the row's unit: infinitely far if it is a NaN. Negative
+/// where the truth leaves the type's range and the value does so too.
 double error_of_float(int row, const double* x, const result& of);
 double error_of_double(int row, const double* x, const result& of);
 

@@ -1,6 +1,7 @@
 // Measures every row in every region, float and double, and prints a line for each:
-// name | type | region | points | worst | 99.9 % | mean | bound | unit | worst input. Exit 1 if a bound is exceeded; with --tight also if
-// it is more than four times the worst error of its row. Points beyond the type's range are left out.
+// name | type | region | points | worst | 99.9 % | mean | bound | unit | worst input. Exit 1 if a bound is exceeded;
+// with --tight also if it is more than four times the worst error of its row. Points beyond the type's range are left
+// out.
 #include "evaluate.hpp"
 #include "rows.hpp"
 
@@ -41,8 +42,12 @@ void direction(double* w, double sine, double cosine, double phi) {
 }
 double turn(generator& random) { return random.between(0, 6.283185307179586); }
 
-void tilted(generator& random, double* w, double sine) { direction(w, sine, std::sqrt((1 - sine) * (1 + sine)), turn(random)); }
-void raised(generator& random, double* w, double cosine) { direction(w, std::sqrt((1 - cosine) * (1 + cosine)), cosine, turn(random)); }
+void tilted(generator& random, double* w, double sine) {
+    direction(w, sine, std::sqrt((1 - sine) * (1 + sine)), turn(random));
+}
+void raised(generator& random, double* w, double cosine) {
+    direction(w, std::sqrt((1 - cosine) * (1 + cosine)), cosine, turn(random));
+}
 
 void near_normal(generator& random, double* w) { tilted(random, w, random.log_between(1e-8, 1e-1)); }
 void middle(generator& random, double* w) { raised(random, w, random.between(0.1, 0.99)); }
@@ -125,7 +130,8 @@ std::vector<region> view_regions() {
 template <void (*Width)(generator&, double*)>
 void some_widths_off(generator& random, double* x) {
     Width(random, x);
-    const double r = random.log_between(0.01, 30), phi = turn(random), mx = r * x[0] * std::cos(phi), my = r * x[1] * std::sin(phi);
+    const double r = random.log_between(0.01, 30), phi = turn(random), mx = r * x[0] * std::cos(phi),
+                 my = r * x[1] * std::sin(phi);
     const double size = std::sqrt(mx * mx + my * my + 1);
     x[2] = mx / size, x[3] = my / size, x[4] = 1 / size;
 }
@@ -152,13 +158,15 @@ void peers_width(generator&, double* x) { x[0] = x[1] = 1e-4; }
 void any_square(generator& random, double* u) { u[0] = random(), u[1] = random(); }
 /// Towards 0 and towards 1, where radii and cosines vanish.
 void edges(generator& random, double* u) {
-    for (int i = 0; i < 2; ++i) u[i] = random() < 0.5 ? random.log_between(1e-9, 1) : 1 - random.log_between(0x1p-24, 1);
+    for (int i = 0; i < 2; ++i)
+        u[i] = random() < 0.5 ? random.log_between(1e-9, 1) : 1 - random.log_between(0x1p-24, 1);
 }
 
 /// Towards the point of the square where the facets seen from v close.
 void closing(generator& random, double* u, const double* v) {
     u[0] = 1 - random.log_between(0x1p-24, 1);
-    const double opposite = std::atan2(-v[1], -v[0]) / 6.283185307179586 + (random() - 0.5) * random.log_between(1e-7, 1) + 2;
+    const double opposite =
+        std::atan2(-v[1], -v[0]) / 6.283185307179586 + (random() - 0.5) * random.log_between(1e-7, 1) + 2;
     u[1] = opposite - std::floor(opposite);
 }
 
@@ -190,18 +198,22 @@ std::vector<region> regions_of(inputs takes) {
     switch (takes) {
         case inputs::turn: return {{"[0,1)", [](generator& random, double* x) { x[0] = random(); }}};
         case inputs::cosine:
-            return {{"grazing", [](generator& random, double* x) { x[0] = random.log_between(1e-6, 1e-1); }},
-                    {"middle", [](generator& random, double* x) { x[0] = random.between(0.1, 0.99); }},
-                    {"near the normal", [](generator& random, double* x) { x[0] = 1 - random.log_between(1e-7, 1e-2); }}};
+            return {
+                {"grazing", [](generator& random, double* x) { x[0] = random.log_between(1e-6, 1e-1); }},
+                {"middle", [](generator& random, double* x) { x[0] = random.between(0.1, 0.99); }},
+                {"near the normal", [](generator& random, double* x) { x[0] = 1 - random.log_between(1e-7, 1e-2); }}};
         case inputs::normal: return normal_regions<one_width>();
         case inputs::normal_xy: return normal_regions<two_widths>();
         case inputs::view: return view_regions<one_width>();
         case inputs::view_xy: return view_regions<two_widths>();
-        case inputs::view_below: return {{"one width", widths_and<one_width, below>}, {"two widths", widths_and<two_widths, below>}};
+        case inputs::view_below:
+            return {{"one width", widths_and<one_width, below>}, {"two widths", widths_and<two_widths, below>}};
         case inputs::pair: return pair_regions<one_width>();
         case inputs::pair_xy: return pair_regions<two_widths>();
-        case inputs::index: return {{"0.3 to 10", [](generator& random, double* x) { x[0] = random.log_between(0.3, 10); }}};
-        case inputs::reflectance: return {{"to 1/4", [](generator& random, double* x) { x[0] = random.log_between(1e-6, 0.25); }}};
+        case inputs::index:
+            return {{"0.3 to 10", [](generator& random, double* x) { x[0] = random.log_between(0.3, 10); }}};
+        case inputs::reflectance:
+            return {{"to 1/4", [](generator& random, double* x) { x[0] = random.log_between(1e-6, 0.25); }}};
         case inputs::square: return square_regions<one_width>();
         case inputs::square_of: {
             auto regions = square_regions<one_width>();
@@ -214,19 +226,25 @@ std::vector<region> regions_of(inputs takes) {
         case inputs::seen_xy: return seen_regions<two_widths, anywhere_above>();
         case inputs::seen_below: return seen_regions<width_from_1e_2, below>();
         case inputs::index_cosine:
-            return {
-                {"any", [](generator& random, double* x) { x[0] = random.between(1, 10), x[1] = random(); }},
-                {"eta near 1", [](generator& random, double* x) { x[0] = 1 + random.log_between(1e-3, 1), x[1] = random(); }},
-                {"near the normal",
-                 [](generator& random, double* x) { x[0] = 1 + random.log_between(1e-3, 9), x[1] = 1 - random.log_between(1e-7, 1e-1); }},
-                {"grazing",
-                 [](generator& random, double* x) { x[0] = 1 + random.log_between(1e-3, 9), x[1] = random.log_between(1e-6, 1e-1); }}};
+            return {{"any", [](generator& random, double* x) { x[0] = random.between(1, 10), x[1] = random(); }},
+                    {"eta near 1",
+                     [](generator& random, double* x) { x[0] = 1 + random.log_between(1e-3, 1), x[1] = random(); }},
+                    {"near the normal",
+                     [](generator& random, double* x) {
+                         x[0] = 1 + random.log_between(1e-3, 9), x[1] = 1 - random.log_between(1e-7, 1e-1);
+                     }},
+                    {"grazing", [](generator& random, double* x) {
+                         x[0] = 1 + random.log_between(1e-3, 9), x[1] = random.log_between(1e-6, 1e-1);
+                     }}};
         case inputs::roughness:
-            return {{"[0.01,1] x [0,0.999]",
-                     [](generator& random, double* x) { x[0] = random.between(0.01, 1), x[1] = random.between(0, 0.999); }}};
+            return {{"[0.01,1] x [0,0.999]", [](generator& random, double* x) {
+                         x[0] = random.between(0.01, 1), x[1] = random.between(0, 0.999);
+                     }}};
         case inputs::direction:
             return {{"any", [](generator& random, double* x) { raised(random, x, random.between(-1, 1)); }},
-                    {"near -n", [](generator& random, double* x) { tilted(random, x, random.log_between(1e-8, 1e-1)), x[2] = -x[2]; }}};
+                    {"near -n", [](generator& random, double* x) {
+                         tilted(random, x, random.log_between(1e-8, 1e-1)), x[2] = -x[2];
+                     }}};
     }
     return {};
 }
@@ -273,7 +291,8 @@ int main(int argc, char** argv) {
         else
             return std::fprintf(stderr, "usage: accuracy [points] [--tight] [--only PART_OF_A_NAME]\n"), 2;
     }
-    const char* const names[] = {"ULP", "ULP of 1", "ULP, exponential", "ULP, power", "radian", "radian, conditioned", "radius"};
+    const char* const names[] = {"ULP",   "ULP of 1", "ULP, exponential", "ULP, power", "radian", "radian, conditioned",
+                                 "radius"};
     const auto rows = accuracy::rows<double>();
     int failed = 0;
     for (std::size_t r = 0; r < rows.size(); ++r)
@@ -297,18 +316,21 @@ int main(int argc, char** argv) {
                     if (is_float)
                         for (double& component : x) component = static_cast<double>(static_cast<float>(component));
                     const int row = static_cast<int>(r);
-                    const double error = is_float ? accuracy::error_of_float(row, x, accuracy::value_in_float(row, x))
-                                                  : accuracy::error_of_double(row, x, accuracy::value_in_double(row, x));
+                    const double error = is_float
+                                             ? accuracy::error_of_float(row, x, accuracy::value_in_float(row, x))
+                                             : accuracy::error_of_double(row, x, accuracy::value_in_double(row, x));
                     if (error < 0) continue;
                     errors.push_back(error);
                     sum += error;
                     if (error > worst) worst = error, std::copy(x, x + 8, worst_x);
                 }
-                if (errors.size() < static_cast<std::size_t>(points) / 20) continue;  // out of the type's range, nearly all of them
+                // out of the type's range, nearly all of them
+                if (errors.size() < static_cast<std::size_t>(points) / 20) continue;
                 const auto quantile = errors.end() - 1 - static_cast<std::ptrdiff_t>(errors.size() / 1000);
                 std::nth_element(errors.begin(), quantile, errors.end());
-                std::printf("%s | %s | %s | %zu | %.3g | %.3g | %.2g | %.2g | %s |", promise.name, type, where.name, errors.size(), worst,
-                            *quantile, sum / static_cast<double>(errors.size()), bound, names[static_cast<int>(promise.in)]);
+                std::printf("%s | %s | %s | %zu | %.3g | %.3g | %.2g | %.2g | %s |", promise.name, type, where.name,
+                            errors.size(), worst, *quantile, sum / static_cast<double>(errors.size()), bound,
+                            names[static_cast<int>(promise.in)]);
                 const auto [first, count] = inputs_of(promise.takes);
                 for (int i = first; i < first + count; ++i) std::printf(is_float ? " %.9g" : " %.17g", worst_x[i]);
                 std::printf("\n");

@@ -2,7 +2,7 @@
 # The whole of it, about half an hour: every row on many points, every float of [0,1]; writes docs/accuracy.md. tests/accuracy/run.sh [points] [every n-th float]
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-source "$root/tests/setup.sh"
+source "$root/scripts/setup.sh"
 need cmake ninja-build g++ libglm-dev catch2 libboost-dev libxsimd-dev
 points=${1:-20000} stride=${2:-1}
 

@@ -1,5 +1,5 @@
-// Every float of [0,1], or every n-th: sweep [n]. Prints name | points | worst | mean | bound | worst input; exit 1 if a bound is exceeded.
-// Also the radical inverse of every (n-th) 32-bit index, exact to its 24 bits and below 1.
+// Every float of [0,1], or every n-th: sweep [n]. Prints name | points | worst | mean | bound | worst input; exit 1 if
+// a bound is exceeded. Also the radical inverse of every (n-th) 32-bit index, exact to its 24 bits and below 1.
 #include "evaluate.hpp"
 #include "rows.hpp"
 
@@ -26,7 +26,8 @@ found sweep(int function, std::uint32_t first, std::uint32_t last, std::uint32_t
     found all;
     for (std::uint64_t bits = first; bits <= last;) {
         std::size_t n = 0;
-        for (; n < block && bits <= last; ++n, bits += stride) u[n] = std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+        for (; n < block && bits <= last; ++n, bits += stride)
+            u[n] = std::bit_cast<float>(static_cast<std::uint32_t>(bits));
         accuracy::sweep_values(function, u.data(), values.data(), n);
         accuracy::sweep_errors(function, u.data(), values.data(), errors.data(), n);
         for (std::size_t i = 0; i < n; ++i) {
@@ -43,7 +44,8 @@ found sweep(int function, std::uint32_t first, std::uint32_t last, std::uint32_t
 int main(int argc, char** argv) {
     const std::uint32_t stride = argc > 1 ? static_cast<std::uint32_t>(std::atol(argv[1])) : 1;
     if (stride == 0) return std::fprintf(stderr, "usage: sweep [every n-th float]\n"), 2;
-    const std::uint32_t one = std::bit_cast<std::uint32_t>(1.0f), middle = std::bit_cast<std::uint32_t>(0x1p-63f) / stride * stride;
+    const std::uint32_t one = std::bit_cast<std::uint32_t>(1.0f),
+                        middle = std::bit_cast<std::uint32_t>(0x1p-63f) / stride * stride;
     const auto functions = accuracy::functions_of_one_number<float>();
     int failed = 0;
     for (std::size_t f = 0; f < functions.size(); ++f) {
@@ -54,9 +56,11 @@ int main(int argc, char** argv) {
         const found& worse = low.worst > high.worst ? low : high;
         const long points = low.points + high.points;
         std::printf("%s | %ld | %.3g | %.2g | %g | %.9g\n", functions[f].name, points, worse.worst,
-                    (low.sum + high.sum) / static_cast<double>(points), functions[f].bound, static_cast<double>(worse.at));
+                    (low.sum + high.sum) / static_cast<double>(points), functions[f].bound,
+                    static_cast<double>(worse.at));
         if (!(worse.worst <= functions[f].bound))
-            ++failed, std::fprintf(stderr, "%s: %.3g, promised %g\n", functions[f].name, worse.worst, functions[f].bound);
+            ++failed,
+                std::fprintf(stderr, "%s: %.3g, promised %g\n", functions[f].name, worse.worst, functions[f].bound);
     }
 
     long wrong = 0, points = 0;

@@ -15,8 +15,8 @@ using digits50 = boost::multiprecision::cpp_bin_float_50;
 
 constexpr double out_of_range = -1, infinity = std::numeric_limits<double>::infinity();
 
-/// 1 + a |Sv| |S^-1 m|^2/(2 v.m) = 1 + a/|S (c + Sv/|Sv|)|: a visible normal has the direction of S (c + Sv/|Sv|) with c on the sphere,
-/// which nearly cancel where facets close; what rounds there is stretched by a at most.
+/// 1 + a |Sv| |S^-1 m|^2/(2 v.m) = 1 + a/|S (c + Sv/|Sv|)|: a visible normal has the direction of S (c + Sv/|Sv|) with
+/// c on the sphere, which nearly cancel where facets close; what rounds there is stretched by a at most.
 double conditioning_of_seen(const digits50* x, const vec3<digits50>& m) {
     const vec3<digits50> v = at(x + 4), wide{x[0] * v.x, x[1] * v.y, v.z}, narrow{m.x / x[0], m.y / x[1], m.z};
     const digits50 a = lobe::larger(x[0], x[1]);
@@ -56,7 +56,8 @@ double error(int row, const double* x, const result& of) {
     const digits50 truth = r.value(in), off = of[0] - truth;
     if (r.in == unit::ulp) return in_ulp<T>(off, truth);
     if (r.in == unit::ulp_of_1) return in_ulp<T>(off, 1);
-    const digits50 share = truth * in[0] * in[1], least = std::numeric_limits<T>::min();  // D of the surface of width 1 may underflow
+    // D of the surface of width 1 may underflow
+    const digits50 share = truth * in[0] * in[1], least = std::numeric_limits<T>::min();
     if (share < least) return of[0] >= 0 && of[0] * in[0] * in[1] <= 2 * least ? out_of_range : infinity;
     digits50 power = share * lobe::pi<digits50>();
     if (r.in == unit::ulp_of_power) {

@@ -24,8 +24,9 @@ lobe::vec3<T> numbers(input& in, const char* name, double low, double high) {
 template <class T>
 class any_fresnel {
     using S = lobe::vec3<T>;
-    using choice = std::variant<lobe::schlick<S>, lobe::schlick<S, S>, lobe::schlick_gaussian<S>, lobe::schlick_roughness<S>, lobe::dielectric<S>,
-                                lobe::conductor<S>, lobe::f82_tint<S>, lobe::perfect_reflector<S>>;
+    using choice =
+        std::variant<lobe::schlick<S>, lobe::schlick<S, S>, lobe::schlick_gaussian<S>, lobe::schlick_roughness<S>,
+                     lobe::dielectric<S>, lobe::conductor<S>, lobe::f82_tint<S>, lobe::perfect_reflector<S>>;
 
 public:
     explicit any_fresnel(input& in) : one(chosen(in)) {}
@@ -37,47 +38,49 @@ public:
         return std::visit([](const auto& f) -> S { return f.average(); }, one);
     }
 
-    /// Is the cosine c so near to total internal reflection that rounding it decides about F? The slope of F is infinite there; g^2 =
-    /// eta^2 - 1 + c^2 is off by 24 u, and what a conductor absorbs rounds the corner off by 2 eta k.
+    /// Is the cosine c so near to total internal reflection that rounding it decides about F? The slope of F is
+    /// infinite there; g^2 = eta^2 - 1 + c^2 is off by 24 u, and what a conductor absorbs rounds the corner off by 2
+    /// eta k.
     bool critical(const T& c, int i) const {
         const auto near = [&](const T& eta, const T& k) {
             const T g2 = (eta - T(1)) * (eta + T(1)) + c * c;
             return eta < T(1) && std::abs(g2) + T(2) * eta * k <= T(256) * std::numeric_limits<T>::epsilon();
         };
         if (const auto* glass = std::get_if<lobe::dielectric<S>>(&one)) return near(glass->relative_index()[i], T(0));
-        if (const auto* metal = std::get_if<lobe::conductor<S>>(&one)) return near(metal->index()[i], metal->extinction()[i]);
+        if (const auto* metal = std::get_if<lobe::conductor<S>>(&one))
+            return near(metal->index()[i], metal->extinction()[i]);
         return false;
     }
 
 private:
     static choice chosen(input& in) {
         switch (in.keep("fresnel", in.below(8))) {
-        case 0: return lobe::schlick<S>{colour<T>(in, "F0")};
-        case 1: {
-            const S F0 = colour<T>(in, "F0");
-            return lobe::schlick<S, S>{F0, colour<T>(in, "F90")};
-        }
-        case 2: return lobe::schlick_gaussian<S>{colour<T>(in, "F0")};
-        case 3: {
-            const S F0 = colour<T>(in, "F0");
-            return lobe::schlick_roughness<S>{F0, in.keep("roughness", share<T>(in))};
-        }
-        case 4: {
-            S eta = in.below(2) ? numbers<T>(in, "eta", 0.3, 10) : numbers<T>(in, "eta", 1e-3, 1e3);
-            if (in.below(8) == 0) eta.x = T(1);
-            return lobe::dielectric<S>{eta};
-        }
-        case 5: {
-            const S eta = in.below(2) ? numbers<T>(in, "eta", 0.3, 10) : numbers<T>(in, "eta", 0.002, 1e9);
-            S k = numbers<T>(in, "k", 1e-6, 1e9);
-            if (in.below(4) == 0) k.x = T(0);
-            return lobe::conductor<S>{eta, k};
-        }
-        case 6: {
-            const S F0 = colour<T>(in, "F0");
-            return lobe::f82_tint<S>{F0, colour<T>(in, "tint")};
-        }
-        default: return lobe::perfect_reflector<S>{};
+            case 0: return lobe::schlick<S>{colour<T>(in, "F0")};
+            case 1: {
+                const S F0 = colour<T>(in, "F0");
+                return lobe::schlick<S, S>{F0, colour<T>(in, "F90")};
+            }
+            case 2: return lobe::schlick_gaussian<S>{colour<T>(in, "F0")};
+            case 3: {
+                const S F0 = colour<T>(in, "F0");
+                return lobe::schlick_roughness<S>{F0, in.keep("roughness", share<T>(in))};
+            }
+            case 4: {
+                S eta = in.below(2) ? numbers<T>(in, "eta", 0.3, 10) : numbers<T>(in, "eta", 1e-3, 1e3);
+                if (in.below(8) == 0) eta.x = T(1);
+                return lobe::dielectric<S>{eta};
+            }
+            case 5: {
+                const S eta = in.below(2) ? numbers<T>(in, "eta", 0.3, 10) : numbers<T>(in, "eta", 0.002, 1e9);
+                S k = numbers<T>(in, "k", 1e-6, 1e9);
+                if (in.below(4) == 0) k.x = T(0);
+                return lobe::conductor<S>{eta, k};
+            }
+            case 6: {
+                const S F0 = colour<T>(in, "F0");
+                return lobe::f82_tint<S>{F0, colour<T>(in, "tint")};
+            }
+            default: return lobe::perfect_reflector<S>{};
         }
     }
 
@@ -88,7 +91,8 @@ template <class T>
 class any_masking : public lobe::masking_functions<any_masking<T>> {
 public:
     any_masking(input& in, const T& alpha)
-        : kind(in.keep("masking", in.below(6))), schlick(lobe::schlick_k<T>(in.below(4) ? alpha / T(2) : in.keep("k", share<T>(in)))) {}
+        : kind(in.keep("masking", in.below(6))),
+          schlick(lobe::schlick_k<T>(in.below(4) ? alpha / T(2) : in.keep("k", share<T>(in)))) {}
 
     using lobe::masking_functions<any_masking>::denominator;
     template <lobe::distribution N>

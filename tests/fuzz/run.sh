@@ -4,7 +4,7 @@
 # New inputs stay in build/fuzz; one that breaks an invariant is printed and kept there as well.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-source "$root/tests/setup.sh"
+source "$root/scripts/setup.sh"
 need cmake ninja-build clang libclang-rt-dev libglm-dev catch2 libboost-dev libxsimd-dev
 seconds=${1:-60}
 

@@ -12,7 +12,8 @@ auto lambert(float factor) {
 TEST(Testkit, ARightBrdfPasses) { EXPECT_TRUE(lobe::testkit::passed(lobe::testkit::verify(lambert(0.5f)))); }
 
 TEST(Testkit, AFailurePrintsTheReport) {
-    EXPECT_NONFATAL_FAILURE(EXPECT_TRUE(lobe::testkit::passed(lobe::testkit::verify(lambert(3.14159265f)))), "missing 1/pi");
+    EXPECT_NONFATAL_FAILURE(EXPECT_TRUE(lobe::testkit::passed(lobe::testkit::verify(lambert(3.14159265f)))),
+                            "missing 1/pi");
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ template <class T>
 double ulps(const T& value, const digits50& truth, const digits50& scale) {
     int exponent = 0;
     std::frexp(static_cast<double>(scale), &exponent);
-    return static_cast<double>(abs(digits50(value) - truth) / digits50(std::ldexp(1.0, exponent - std::numeric_limits<T>::digits)));
+    return static_cast<double>(abs(digits50(value) - truth) /
+                               digits50(std::ldexp(1.0, exponent - std::numeric_limits<T>::digits)));
 }
 template <class T>
 double ulps(const T& value, const digits50& truth) {

@@ -1,5 +1,5 @@
-// The same templates on 50 digits: what rounding does to float and double, without the code's own formulas being in doubt
-// (those are compared with independent tables elsewhere).
+// The same templates on 50 digits: what rounding does to float and double, without the code's own formulas being in
+// doubt (those are compared with independent tables elsewhere).
 #include "../catch.hpp"
 #include "digits50.hpp"
 
@@ -37,10 +37,11 @@ TEMPLATE_TEST_CASE("rounding errors over the whole domain", "[multiprecision]", 
             area_aniso = larger(area_aniso, ulps(aniso.projected_area(w), aniso_exact.projected_area(exact(w))));
             lambda = larger(lambda, ulps(iso.lambda(w), iso_exact.lambda(exact(w))));
         }
-        visibility = larger(
-            {visibility,
-             ulps(lobe::smith_correlated{}.visibility(iso, v, l), lobe::smith_correlated{}.visibility(iso_exact, exact(v), exact(l))),
-             ulps(lobe::smith_separable{}.visibility(iso, v, l), lobe::smith_separable{}.visibility(iso_exact, exact(v), exact(l)))});
+        visibility = larger({visibility,
+                             ulps(lobe::smith_correlated{}.visibility(iso, v, l),
+                                  lobe::smith_correlated{}.visibility(iso_exact, exact(v), exact(l))),
+                             ulps(lobe::smith_separable{}.visibility(iso, v, l),
+                                  lobe::smith_separable{}.visibility(iso_exact, exact(v), exact(l)))});
         const T F0 = static_cast<T>(random()), u = static_cast<T>(random());
         schlick = larger(schlick, ulps(lobe::schlick{F0}(u), lobe::schlick{digits50(F0)}(digits50(u))));
 
@@ -49,14 +50,15 @@ TEMPLATE_TEST_CASE("rounding errors over the whole domain", "[multiprecision]", 
             const lobe::microfacet brdf{iso, lobe::smith_correlated{}, lobe::schlick{F0}};
             const lobe::microfacet brdf_exact{iso_exact, lobe::smith_correlated{}, lobe::schlick{digits50(F0)}};
             const digits50 truth = brdf_exact.f_cos(exact(v), exact(l));
-            // Adding v and l rounds each slope of s by half an ULP of its larger term: conditioned by |v_x|/|s_x|. D sees
-            // that as long as the slope matters beside alpha.
-            const digits50 conditioning = (abs(digits50(v.x)) + abs(digits50(v.y))) / (digits50(ax) * (digits50(v.z) + digits50(l.z)));
+            // Adding v and l rounds each slope of s by half an ULP of its larger term: conditioned by |v_x|/|s_x|. D
+            // sees that as long as the slope matters beside alpha.
+            const digits50 conditioning =
+                (abs(digits50(v.x)) + abs(digits50(v.y))) / (digits50(ax) * (digits50(v.z) + digits50(l.z)));
             f_cos = larger(f_cos, ulps(brdf.f_cos(v, l), truth) / (1 + static_cast<double>(conditioning) / 8));
         }
     }
-    INFO("D " << D << ", anisotropic " << D_aniso << "; area " << area << ", " << area_aniso << "; Lambda " << lambda << "; visibility "
-              << visibility << "; Schlick " << schlick << "; f_cos " << f_cos);
+    INFO("D " << D << ", anisotropic " << D_aniso << "; area " << area << ", " << area_aniso << "; Lambda " << lambda
+              << "; visibility " << visibility << "; Schlick " << schlick << "; f_cos " << f_cos);
     CHECK(D <= 12);
     CHECK(D_aniso <= 12);
     CHECK(area <= 5);  // what the header states; a million points of both sides of the horizon are in ggx.cpp
@@ -68,8 +70,10 @@ TEMPLATE_TEST_CASE("rounding errors over the whole domain", "[multiprecision]", 
 }
 
 TEST_CASE("fifty digits through sampling, and an albedo to the quadrature's limit", "[multiprecision]") {
-    const lobe::microfacet brdf{lobe::ggx{lobe::alpha<digits50>(digits50(1))}, lobe::smith_correlated{}, lobe::perfect_reflector{}};
-    const lobe::microfacet in_double{lobe::ggx{lobe::alpha<double>(1)}, lobe::smith_correlated{}, lobe::perfect_reflector{}};
+    const lobe::microfacet brdf{lobe::ggx{lobe::alpha<digits50>(digits50(1))}, lobe::smith_correlated{},
+                                lobe::perfect_reflector{}};
+    const lobe::microfacet in_double{lobe::ggx{lobe::alpha<double>(1)}, lobe::smith_correlated{},
+                                     lobe::perfect_reflector{}};
     const digits50 mu("0.5");
     const vec3<digits50> v{sqrt(digits50("0.75")), digits50(0), mu};
     const auto s = brdf.sample(v, vec2<digits50>{digits50("0.3"), digits50("0.7")});

@@ -1,5 +1,6 @@
-// A call of everything that a renderer's inner loop may ask of lobe, one function a model: what the tests of compilers, flags and GPUs
-// instantiate. Each returns one number, into which all that was computed has gone. (The macros and the test kit are in their own tests.)
+// A call of everything that a renderer's inner loop may ask of lobe, one function a model: what the tests of compilers,
+// flags and GPUs instantiate. Each returns one number, into which all that was computed has gone. (The macros and the
+// test kit are in their own tests.)
 #pragma once
 
 #include <lobe/lobe.hpp>
@@ -22,11 +23,17 @@ struct input {
 };
 
 template <class T>
-constexpr T number(const T& s) { return s; }
+constexpr T number(const T& s) {
+    return s;
+}
 template <class T>
-constexpr T number(const lobe::vec3<T>& s) { return s.x + s.y + s.z; }
+constexpr T number(const lobe::vec3<T>& s) {
+    return s.x + s.y + s.z;
+}
 template <class T>
-constexpr T number(const lobe::vec2<T>& s) { return s.x + s.y; }
+constexpr T number(const lobe::vec2<T>& s) {
+    return s.x + s.y;
+}
 
 template <class N, class T>
 constexpr T of_distribution(const N& ndf, const input<T>& in) {
@@ -60,24 +67,28 @@ constexpr T of_facets(const N& ndf, const input<T>& in) {
     if constexpr (lobe::visibly_samplable_distribution<N>)
         return of_distribution(ndf, in) + of_brdf(lobe::microfacet{ndf, lobe::smith_correlated{}, F}, in);
     else
-        return of_distribution(ndf, in) + of_brdf(lobe::microfacet{ndf, lobe::smith_correlated{}, F, lobe::all_normals{}}, in);
+        return of_distribution(ndf, in) +
+               of_brdf(lobe::microfacet{ndf, lobe::smith_correlated{}, F, lobe::all_normals{}}, in);
 }
 
 template <class M, class T>
 constexpr T of_masking(const M& m, const input<T>& in) {
     const lobe::ggx ndf{in.a()};
-    return m.visibility(ndf, in.v, in.l) + m.G2(ndf, in.v, in.l) + of_brdf(lobe::microfacet{ndf, m, lobe::schlick{in.x}}, in);
+    return m.visibility(ndf, in.v, in.l) + m.G2(ndf, in.v, in.l) +
+           of_brdf(lobe::microfacet{ndf, m, lobe::schlick{in.x}}, in);
 }
 
 template <class F, class T>
 constexpr T of_fresnel(const F& f, const input<T>& in) {
-    return number(f(in.x)) + T(number(f.average())) + of_brdf(lobe::microfacet{lobe::ggx{in.a()}, lobe::smith_correlated{}, f}, in);
+    return number(f(in.x)) + T(number(f.average())) +
+           of_brdf(lobe::microfacet{lobe::ggx{in.a()}, lobe::smith_correlated{}, f}, in);
 }
 
 template <class L, class T>
 constexpr T of_light(const L& light, const input<T>& in) {
     const auto at_point = light(in.v);
-    return number(at_point.l) + number(at_point.illuminance) + number(reflected_radiance(lobe::lambert{in.x}, in.v, at_point));
+    return number(at_point.l) + number(at_point.illuminance) +
+           number(reflected_radiance(lobe::lambert{in.x}, in.v, at_point));
 }
 
 /// Numbers for random_walk: a generator of the caller's own.
@@ -98,13 +109,14 @@ constexpr T of_walk(const N& ndf, const F& f, const input<T>& in) {
     return number(path.l) + number(path.weight) + T(path.order) + number(stratified.l);
 }
 
-// ---- one function a model -------------------------------------------------------------------------------------------------------
+// ---- one function a model
+// -------------------------------------------------------------------------------------------------------
 
-#define EVERYTHING_CALL(name, ...)                          \
-    template <class T>                                      \
-    constexpr T name([[maybe_unused]] const input<T>& in) { \
-        using namespace lobe;                               \
-        return __VA_ARGS__;                                 \
+#define EVERYTHING_CALL(name, ...)                                                                                     \
+    template <class T>                                                                                                 \
+    constexpr T name([[maybe_unused]] const input<T>& in) {                                                            \
+        using namespace lobe;                                                                                          \
+        return __VA_ARGS__;                                                                                            \
     }
 #include "everything.inc"
 #undef EVERYTHING_CALL
@@ -114,11 +126,11 @@ constexpr lobe::latlong<T> map_of(const input<T>& in) {
     return {8, 4, std::vector<lobe::vec3<T>>(32, in.color())};
 }
 
-#define EVERYTHING_CALL(name, ...)                \
-    template <class T>                            \
-    T name([[maybe_unused]] const input<T>& in) { \
-        using namespace lobe;                     \
-        return __VA_ARGS__;                       \
+#define EVERYTHING_CALL(name, ...)                                                                                     \
+    template <class T>                                                                                                 \
+    T name([[maybe_unused]] const input<T>& in) {                                                                      \
+        using namespace lobe;                                                                                          \
+        return __VA_ARGS__;                                                                                            \
     }
 #include "host_only.inc"
 #undef EVERYTHING_CALL

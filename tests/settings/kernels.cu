@@ -1,4 +1,5 @@
-// A kernel for every function of everything.hpp. With HOST_ONLY: for those that are not to be called from one, each of which is an error.
+// A kernel for every function of everything.hpp. With HOST_ONLY: for those that are not to be called from one, each of
+// which is an error.
 // With CLANG: checked by clang's CUDA mode, without an installed CUDA. With HOLE: one that a check has to find.
 #ifdef CLANG
 #include "cuda_by_clang.hpp"
@@ -8,18 +9,22 @@
 namespace everything {
 
 #ifdef HOST_ONLY
-#define EVERYTHING_CALL(name, ...)                                            \
-    __global__ void name##_kernel(const input<float>* inputs, float* out) { \
-        using namespace lobe;                                                 \
-        using T = float;                                                      \
-        const input<T>& in = *inputs;                                         \
-        *out = __VA_ARGS__;                                                   \
+#define EVERYTHING_CALL(name, ...)                                                                                     \
+    __global__ void name##_kernel(const input<float>* inputs, float* out) {                                            \
+        using namespace lobe;                                                                                          \
+        using T = float;                                                                                               \
+        const input<T>& in = *inputs;                                                                                  \
+        *out = __VA_ARGS__;                                                                                            \
     }
 #include "host_only.inc"
 #else
-#define EVERYTHING_CALL(name, ...)                                                                                            \
-    extern "C" __global__ void name##_float(const input<float>* in, float* out) { out[threadIdx.x] = name(in[threadIdx.x]); } \
-    extern "C" __global__ void name##_double(const input<double>* in, double* out) { out[threadIdx.x] = name(in[threadIdx.x]); }
+#define EVERYTHING_CALL(name, ...)                                                                                     \
+    extern "C" __global__ void name##_float(const input<float>* in, float* out) {                                      \
+        out[threadIdx.x] = name(in[threadIdx.x]);                                                                      \
+    }                                                                                                                  \
+    extern "C" __global__ void name##_double(const input<double>* in, double* out) {                                   \
+        out[threadIdx.x] = name(in[threadIdx.x]);                                                                      \
+    }
 #include "everything.inc"
 #endif
 

@@ -1,4 +1,5 @@
-// Every header compiles where other people's macros are defined, and a call of a name that is one of them works in parentheses.
+// Every header compiles where other people's macros are defined, and a call of a name that is one of them works in
+// parentheses.
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -27,6 +28,7 @@
 #include <lobe/testkit.hpp>
 
 int main() {
-    const lobe::microfacet gold{lobe::ggx{lobe::alpha{0.3f}}, lobe::smith_correlated{}, lobe::schlick{glm::vec3{1.0f, 0.71f, 0.29f}}};
+    const lobe::microfacet gold{lobe::ggx{lobe::alpha{0.3f}}, lobe::smith_correlated{},
+                                lobe::schlick{glm::vec3{1.0f, 0.71f, 0.29f}}};
     return (lobe::testkit::verify)(gold).passed() ? 0 : 1;
 }

@@ -1,5 +1,5 @@
-// Names that other people's headers define as macros, defined here the way they do it, for every header of lobe to live with. Included
-// after the headers of the standard library and of GLM, which nobody can ask to be proof against them.
+// Names that other people's headers define as macros, defined here the way they do it, for every header of lobe to live
+// with. Included after the headers of the standard library and of GLM, which nobody can ask to be proof against them.
 #pragma once
 
 // windows.h: minwindef.h, rpcndr.h, combaseapi.h, wingdi.h, winnt.h, winerror.h, dlgs.h; <math.h> of MSVC
@@ -57,11 +57,23 @@
 
 // complex.h, Unreal Engine, Apple's AssertMacros.h and Objective-C, Qt, Arduino, sys/sysmacros.h, gnu++'s own
 #define I _Complex_I
-#define check(expr) { if (!(expr)) __builtin_trap(); }
-#define verify(expr) { if (!(expr)) __builtin_trap(); }
-#define require(expr, label) do { if (!(expr)) goto label; } while (0)
+#define check(expr)                                                                                                    \
+    {                                                                                                                  \
+        if (!(expr)) __builtin_trap();                                                                                 \
+    }
+#define verify(expr)                                                                                                   \
+    {                                                                                                                  \
+        if (!(expr)) __builtin_trap();                                                                                 \
+    }
+#define require(expr, label)                                                                                           \
+    do {                                                                                                               \
+        if (!(expr)) goto label;                                                                                       \
+    } while (0)
 #define ensure(expr) (expr)
-#define checkf(expr, ...) { if (!(expr)) __builtin_trap(); }
+#define checkf(expr, ...)                                                                                              \
+    {                                                                                                                  \
+        if (!(expr)) __builtin_trap();                                                                                 \
+    }
 #define PI (3.1415926535897932f)
 #define TEXT(x) u##x
 #define nil nullptr
@@ -78,11 +90,11 @@
 #define B1 1
 #define F(string_literal) (string_literal)
 #define sq(x) ((x) * (x))
-#define radians(deg) ((deg) * 0.01745f)
-#define degrees(rad) ((rad) * 57.2957f)
+#define radians(deg) ((deg)*0.01745f)
+#define degrees(rad) ((rad)*57.2957f)
 #define constrain(amt, low, high) ((amt) < (low) ? (low) : ((amt) > (high) ? (high) : (amt)))
 #define major(dev) ((dev) >> 8)
-#define minor(dev) ((dev) & 0xff)
+#define minor(dev) ((dev)&0xff)
 #define linux 1
 #define unix 1
 #define bit(b) (1UL << (b))

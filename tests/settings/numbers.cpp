@@ -1,4 +1,5 @@
-// Prints every number of everything.hpp; given such a print, compares: `numbers plain.txt` fails where two differ by more than rounding.
+// Prints every number of everything.hpp; given such a print, compares: `numbers plain.txt` fails where two differ by
+// more than rounding.
 #include "everything.hpp"
 
 #include <cmath>
@@ -29,11 +30,14 @@ int main(int argc, char** argv) {
         std::cout << name << ' ' << double(value) << '\n';
         // other instructions, other roundings: a few hundred of them go into one number
         const bool same = argc < 2 || (plain.count(name) && std::abs(double(value) - plain[name]) <=
-                                                                1000 * double(std::numeric_limits<T>::epsilon()) * (1 + std::abs(plain[name])));
-        if (!std::isfinite(value) || !same) ++wrong, std::cerr << name << ": " << double(value) << ", not " << plain[name] << '\n';
+                                                                1000 * double(std::numeric_limits<T>::epsilon()) *
+                                                                    (1 + std::abs(plain[name])));
+        if (!std::isfinite(value) || !same)
+            ++wrong, std::cerr << name << ": " << double(value) << ", not " << plain[name] << '\n';
     };
     std::cout.precision(17);
     everything::for_each(somewhere<float>(), [&](const char* name, float x) { look(std::string(name) + "_float", x); });
-    everything::for_each(somewhere<double>(), [&](const char* name, double x) { look(std::string(name) + "_double", x); });
+    everything::for_each(somewhere<double>(),
+                         [&](const char* name, double x) { look(std::string(name) + "_double", x); });
     return wrong;
 }

@@ -1,6 +1,7 @@
-// No call with an input inside its domain raises FE_INVALID or FE_DIVBYZERO, whichever side of a `select` is taken: debug builds that trap
-// NaNs at birth (feenableexcept) run through. Every model at the ends of what it is given, in float and double; a standalone program, built
-// with and without optimisation, without lobe::vectorize, whose -fno-trapping-math gives the promise away.
+// No call with an input inside its domain raises FE_INVALID or FE_DIVBYZERO, whichever side of a `select` is taken:
+// debug builds that trap NaNs at birth (feenableexcept) run through. Every model at the ends of what it is given, in
+// float and double; a standalone program, built with and without optimisation, without lobe::vectorize, whose
+// -fno-trapping-math gives the promise away.
 #include <lobe/lobe.hpp>
 
 #include <cfenv>
@@ -65,7 +66,8 @@ template <class T>
 inputs<T> corners() {
     using limits = std::numeric_limits<T>;
     inputs<T> in;
-    const T tiny[] = {T(0), T(-0.0), limits::denorm_min(), T(-1e-30), T(1e-19), T(1e-18), T(-1e-18), T(1e-12), T(-1e-6), T(0.6)};
+    const T tiny[] = {T(0),     T(-0.0), limits::denorm_min(), T(-1e-30), T(1e-19), T(1e-18), T(-1e-18), T(1e-12),
+                      T(-1e-6), T(0.6)};
     for (const T a : tiny)
         for (const T b : tiny) {
             const T c = std::sqrt(1 - a * a - b * b);
@@ -83,7 +85,8 @@ inputs<T> corners() {
     const T some[] = {T(0), limits::denorm_min(), T(1e-20), T(0.125), T(0.25), T(0.5), T(0.7), below_1};
     for (const T x : some)
         for (const T y : some) in.u.push_back({x, y});
-    in.c = {T(0), T(-0.0), limits::denorm_min(), T(1e-30), T(1e-18), T(1e-6), T(0.1), T(0.5), std::sqrt(T(0.75)), T(0.9), below_1, T(1)};
+    in.c = {T(0),   T(-0.0), limits::denorm_min(), T(1e-30), T(1e-18), T(1e-6),
+            T(0.1), T(0.5),  std::sqrt(T(0.75)),   T(0.9),   below_1,  T(1)};
     return in;
 }
 
@@ -91,8 +94,9 @@ inputs<T> corners() {
 template <class T, class Visit>
 void every_light(const inputs<T>& in, std::size_t i, const Visit& visit) {
     const vec3<T> v = in.w[i];
-    for (const vec3<T>& l : {v, -v, vec3<T>{-v.x, -v.y, v.z}, vec3<T>{-v.x, v.y, v.z}, vec3<T>{-v.x, -v.y, T(1e-18)}, vec3<T>{-v.x, -v.y, T(-1e-30)},
-                             vec3<T>{0, 0, 1}, vec3<T>{0, 0, -1}, vec3<T>{T(0.6), 0, T(0.8)}, vec3<T>{0, -1, T(1e-18)}, vec3<T>{0, 1, 0}})
+    for (const vec3<T>& l : {v, -v, vec3<T>{-v.x, -v.y, v.z}, vec3<T>{-v.x, v.y, v.z}, vec3<T>{-v.x, -v.y, T(1e-18)},
+                             vec3<T>{-v.x, -v.y, T(-1e-30)}, vec3<T>{0, 0, 1}, vec3<T>{0, 0, -1},
+                             vec3<T>{T(0.6), 0, T(0.8)}, vec3<T>{0, -1, T(1e-18)}, vec3<T>{0, 1, 0}})
         visit(l);
     for (std::size_t k = 1; k < 8; ++k) visit(in.w[(i * k * 37 + 11 * k) % in.w.size()]);
 }
@@ -113,7 +117,8 @@ template <class B, class T>
 template <class B, class T>
 void brdf(const std::string& name, const B& b, const inputs<T>& in, std::size_t stride = 1) {
     quietly(name + ", evaluate", [&] {
-        for (std::size_t i = 0; i < in.w.size(); ++i) every_light(in, i, [&](const vec3<T>& l) { evaluate(b, in.w[i], l); });
+        for (std::size_t i = 0; i < in.w.size(); ++i)
+            every_light(in, i, [&](const vec3<T>& l) { evaluate(b, in.w[i], l); });
     });
     quietly(name + ", sample", [&] {
         for (std::size_t i = 0; i < in.w.size(); i += stride)
@@ -172,25 +177,29 @@ void distributions(const inputs<T>& in) {
         distribution("beckmann_walter" + of, lobe::beckmann_walter{width}, in);
         distribution("mixture" + of, lobe::mixture{lobe::ggx{width}, lobe::beckmann{width}, T(0.3)}, in, 5);
         distribution("mixture of one" + of, lobe::mixture{lobe::ggx{width}, lobe::ggx{alpha<T>(T(0.3))}, T(0)}, in);
-        distribution("mixture of the other" + of, lobe::mixture{lobe::ggx{width}, lobe::ggx{alpha<T>(T(0.3))}, T(1)}, in);
+        distribution("mixture of the other" + of, lobe::mixture{lobe::ggx{width}, lobe::ggx{alpha<T>(T(0.3))}, T(1)},
+                     in);
         distribution("masked_by" + of, lobe::masked_by{lobe::beckmann{width}, lobe::ggx{width}}, in);
-        for (const T gamma : {T(1.6), T(2), T(3)}) distribution("student_t" + of, lobe::student_t{width, gamma}, in, 61);
+        for (const T gamma : {T(1.6), T(2), T(3)})
+            distribution("student_t" + of, lobe::student_t{width, gamma}, in, 61);
         distribution("hyper_cauchy" + of, lobe::hyper_cauchy{width, T(2.5)}, in, 61);
         if (a < T(1e-4)) continue;  // tables
         quietly("tables of projected areas" + of, [&] {
-            const lobe::gtr gtr{width, T(1)};
-            const lobe::abc abc{width, T(1.5)};
-            const lobe::sgd sgd{width, T(1)};
-            const lobe::phong phong{width};
-            const lobe::exponential_power power{width, T(1.5)};
+            const lobe::tabulated gtr{lobe::gtr{width, T(1)}};
+            const lobe::tabulated abc{lobe::abc{width, T(1.5)}};
+            const lobe::tabulated sgd{lobe::sgd{width, T(1)}};
+            const lobe::tabulated phong{lobe::phong{width}};
+            const lobe::tabulated power{lobe::exponential_power{width, T(1.5)}};
             keep(gtr), keep(abc), keep(sgd), keep(phong), keep(power);
         });
-        for (const T gamma : {T(1), T(1.5), T(2)}) distribution("gtr" + of, lobe::gtr{width, gamma}, in, 301);
+        for (const T gamma : {T(1), T(1.5), T(2)})
+            distribution("gtr" + of, lobe::tabulated{lobe::gtr{width, gamma}}, in, 301);
         if (a >= T(0.01)) distribution("blinn_phong" + of, lobe::blinn_phong{width}, in, 301);
-        distribution("phong" + of, lobe::phong{width}, in, 301);
-        distribution("abc" + of, lobe::abc{width, T(1.5)}, in, 301);
-        distribution("sgd" + of, lobe::sgd{width, T(1)}, in, 301);
-        for (const T p : {T(0.5), T(2)}) distribution("exponential_power" + of, lobe::exponential_power{width, p}, in, 301);
+        distribution("phong" + of, lobe::tabulated{lobe::phong{width}}, in, 301);
+        distribution("abc" + of, lobe::tabulated{lobe::abc{width, T(1.5)}}, in, 301);
+        distribution("sgd" + of, lobe::tabulated{lobe::sgd{width, T(1)}}, in, 301);
+        for (const T p : {T(0.5), T(2)})
+            distribution("exponential_power" + of, lobe::tabulated{lobe::exponential_power{width, p}}, in, 301);
     }
 }
 
@@ -208,11 +217,16 @@ void microfacets(const inputs<T>& in) {
         brdf("schlick_ggx, k = 0", lobe::microfacet{ndf, lobe::schlick_ggx{lobe::schlick_k{T(0)}}, F}, in);
         brdf("v_cavity", lobe::microfacet{ndf, lobe::v_cavity{}, F}, in);
         brdf("visible_heitz2018", lobe::microfacet{ndf, lobe::smith_correlated{}, F, lobe::visible_heitz2018{}}, in);
-        brdf("visible_bounded_caps", lobe::microfacet{ndf, lobe::smith_correlated{}, F, lobe::visible_bounded_caps{}}, in);
-        brdf("visible_heitz2018, anisotropic", lobe::microfacet{stretched, lobe::smith_correlated{}, F, lobe::visible_heitz2018{}}, in);
-        brdf("visible_bounded_caps, anisotropic", lobe::microfacet{stretched, lobe::smith_correlated{}, F, lobe::visible_bounded_caps{}}, in);
+        brdf("visible_bounded_caps", lobe::microfacet{ndf, lobe::smith_correlated{}, F, lobe::visible_bounded_caps{}},
+             in);
+        brdf("visible_heitz2018, anisotropic",
+             lobe::microfacet{stretched, lobe::smith_correlated{}, F, lobe::visible_heitz2018{}}, in);
+        brdf("visible_bounded_caps, anisotropic",
+             lobe::microfacet{stretched, lobe::smith_correlated{}, F, lobe::visible_bounded_caps{}}, in);
         brdf("v_cavity, all normals", lobe::microfacet{stretched, lobe::v_cavity{}, F, lobe::all_normals{}}, in);
-        const auto fresnel = [&](const std::string& name, const auto& of) { brdf(name, lobe::microfacet{ndf, lobe::smith_correlated{}, of}, in); };
+        const auto fresnel = [&](const std::string& name, const auto& of) {
+            brdf(name, lobe::microfacet{ndf, lobe::smith_correlated{}, of}, in);
+        };
         fresnel("dielectric, glass", lobe::dielectric{T(1.5)});
         fresnel("dielectric, from inside", lobe::dielectric{T(0.5)});
         fresnel("conductor", lobe::conductor{T(0.2), T(3)});
@@ -232,6 +246,7 @@ void diffuse(const inputs<T>& in) {
         brdf("burley_frostbite", lobe::burley_frostbite{colour, r}, in);
         brdf("oren_nayar", lobe::oren_nayar{colour, r}, in);
         brdf("fon", lobe::fon{colour, r}, in);
+        brdf("fon, by the cosine", lobe::fon{colour, r, lobe::cosine_sampling{}}, in);
         brdf("eon", lobe::eon{colour, r}, in);
         brdf("eon, fitted", lobe::eon{colour, r, lobe::fon_loss_fit{}}, in);
     }
@@ -246,14 +261,20 @@ void compositions(const inputs<T>& in) {
         const lobe::microfacet dark{lobe::ggx{width}, lobe::smith_correlated{}, lobe::schlick{black, black}};
         for (const T metallic : {T(0), T(0.5), T(1)}) {
             brdf("metallic_roughness", lobe::metallic_roughness(colour, metallic, width), in);
-            brdf("coated", lobe::coated(lobe::metallic_roughness(colour, metallic, width), lobe::ggx{width}, T(1) - metallic), in);
+            brdf("coated",
+                 lobe::coated(lobe::metallic_roughness(colour, metallic, width), lobe::ggx{width}, T(1) - metallic),
+                 in);
         }
         brdf("sum", lobe::sum{lobe::weighted{T(0.5), mirror}, lobe::weighted{T(0), mirror}, lobe::lambert{colour}}, in);
         brdf("sum of black ones", lobe::sum{dark, lobe::lambert{black}}, in);
         const lobe::schlick E{colour * T(0.5)};
-        brdf("layered, albedo_coupling", lobe::layered{mirror, lobe::eon{colour, T(0.5)}, lobe::albedo_coupling{E}}, in);
-        brdf("layered, reciprocal_coupling", lobe::layered{mirror, lobe::burley{colour, T(0.5)}, lobe::reciprocal_coupling{E, E.average()}}, in);
-        brdf("layered, fresnel_coupling", lobe::layered{mirror, lobe::lambert{colour}, lobe::fresnel_coupling{lobe::dielectric{vec3<T>(T(0.5))}}}, in);
+        brdf("layered, albedo_coupling", lobe::layered{mirror, lobe::eon{colour, T(0.5)}, lobe::albedo_coupling{E}},
+             in);
+        brdf("layered, reciprocal_coupling",
+             lobe::layered{mirror, lobe::burley{colour, T(0.5)}, lobe::reciprocal_coupling{E, E.average()}}, in);
+        brdf("layered, fresnel_coupling",
+             lobe::layered{mirror, lobe::lambert{colour}, lobe::fresnel_coupling{lobe::dielectric{vec3<T>(T(0.5))}}},
+             in);
     }
 }
 
@@ -268,12 +289,14 @@ void reflectances(const inputs<T>& in) {
         });
     };
     using limits = std::numeric_limits<T>;
-    for (const T eta : {limits::denorm_min(), limits::min(), T(1e-3), T(0.3), T(0.5), T(1) - limits::epsilon(), T(1), T(1) + limits::epsilon(), T(1.5), T(3),
-                        T(1e9), sizeof(T) == 4 ? T(1e19) : T(1e150)}) {
+    for (const T eta : {limits::denorm_min(), limits::min(), T(1e-3), T(0.3), T(0.5), T(1) - limits::epsilon(), T(1),
+                        T(1) + limits::epsilon(), T(1.5), T(3), T(1e9), sizeof(T) == 4 ? T(1e19) : T(1e150)}) {
         fresnel("dielectric " + std::to_string(eta), [&] { return lobe::dielectric{unknown(eta)}; });
         for (const T k : {T(0), T(1e-6), T(1), T(3), T(1e9)})
             if (eta >= T(1) / T(1000) && eta <= T(1e9))
-                fresnel("conductor " + std::to_string(eta) + " " + std::to_string(k), [&] { return lobe::conductor{unknown(eta), unknown(k)}; });
+                fresnel("conductor " + std::to_string(eta) + " " + std::to_string(k), [&] {
+                    return lobe::conductor{unknown(eta), unknown(k)};
+                });
     }
     for (const T f0 : {T(0), T(0.04), T(0.5), T(1)}) {
         const T F0 = unknown(f0);
@@ -281,7 +304,8 @@ void reflectances(const inputs<T>& in) {
         fresnel("schlick, black", [&] { return lobe::schlick{F0, T(0)}; });
         fresnel("schlick_gaussian", [&] { return lobe::schlick_gaussian{F0}; });
         fresnel("schlick_roughness", [&] { return lobe::schlick_roughness{F0, T(1)}; });
-        for (const T tint : {T(0), T(0.5), T(1)}) fresnel("f82_tint", [&] { return lobe::f82_tint{F0, unknown(tint)}; });
+        for (const T tint : {T(0), T(0.5), T(1)})
+            fresnel("f82_tint", [&] { return lobe::f82_tint{F0, unknown(tint)}; });
         quietly("ior", [&] {
             if (F0 < T(1)) keep(lobe::f0_from_ior(lobe::ior_from_f0(F0)));
         });
@@ -335,7 +359,8 @@ void the_rest(const inputs<T>& in) {
     });
     quietly(scalar + "points", [&] {
         for (const std::uint32_t n : {1u, 2u, 3u, 1000u, 4294967295u})
-            for (const std::uint32_t i : {0u, n / 2, n - 1}) keep(lobe::hammersley<T>(i, n)), keep(lobe::radical_inverse<T>(i));
+            for (const std::uint32_t i : {0u, n / 2, n - 1})
+                keep(lobe::hammersley<T>(i, n)), keep(lobe::radical_inverse<T>(i));
     });
     quietly(scalar + "lights", [&] {
         for (const auto& w : in.w) {
@@ -363,7 +388,8 @@ void the_rest(const inputs<T>& in) {
                 keep(lobe::widened_by_pixel(width, dx, dy)), keep(lobe::widened_by_pixel(both, dx, dy));
                 keep(lobe::widened_by_half_vector(both, vec2<T>{variance, 0}, vec2<T>{0, variance}));
                 keep(lobe::widened_by_half_vector(same, vec2<T>{0, 0}, vec2<T>{0, variance}));
-                if (variance > T(0)) keep(lobe::toksvig_variance(variance)), keep(lobe::toksvig_exponent(T(100), variance));
+                if (variance > T(0))
+                    keep(lobe::toksvig_variance(variance)), keep(lobe::toksvig_exponent(T(100), variance));
             }
             for (const T r : {T(0), T(0.5), T(1)}) {
                 keep(alpha<T>::from_roughness(r, T(1e-4)));
@@ -372,14 +398,16 @@ void the_rest(const inputs<T>& in) {
             }
         }
         for (const auto& n : in.w)
-            if (n.z > T(1e-6)) keep(lobe::lean_moments<T>::of(n).covariance()), keep(lobe::clean_moments<T>::of(n).variance());
+            if (n.z > T(1e-6))
+                keep(lobe::lean_moments<T>::of(n).covariance()), keep(lobe::clean_moments<T>::of(n).variance());
     });
     for (const T a : {T(1e-3), T(0.3), T(1)}) {
         const lobe::microfacet b{lobe::ggx{alpha<T>(unknown(a))}, lobe::smith_correlated{}, lobe::schlick{T(0.04)}};
         quietly(scalar + "albedos", [&] {
             for (const T mu : {T(1e-3), T(0.1), T(1)}) {
                 keep(lobe::directional_albedo(b, mu, {.order = 16}));
-                keep(lobe::directional_albedo(lobe::coated(lobe::lambert{T(1)}, lobe::ggx{alpha<T>(a)}, T(1)), mu, {.order = 16}));
+                keep(lobe::directional_albedo(lobe::coated(lobe::lambert{T(1)}, lobe::ggx{alpha<T>(a)}, T(1)), mu,
+                                              {.order = 16}));
                 keep(lobe::directional_albedo(lobe::eon{T(1), T(1)}, mu, {.order = 16}));
                 keep(lobe::dfg_exact<T>(lobe::smith_correlated{}, mu, alpha<T>(a), {.order = 16}));
             }

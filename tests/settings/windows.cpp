@@ -1,4 +1,5 @@
-// After <windows.h>, whole: without WIN32_LEAN_AND_MEAN, which keeps out rpcndr.h with its `small` and `interface`. Without NOMINMAX, too.
+// After <windows.h>, whole: without WIN32_LEAN_AND_MEAN, which keeps out rpcndr.h with its `small` and `interface`.
+// Without NOMINMAX, too.
 #include <windows.h>
 
 #include "everything.hpp"

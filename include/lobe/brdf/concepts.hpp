@@ -5,10 +5,12 @@
 
 namespace lobe {
 
-/// A Fresnel reflectance: a callable of the cosine v.h; a lambda will do. (Multiple scattering asks for `average()` too, the mean over the
-/// hemisphere weighted with the cosine: all of lobe's have it.)
+/// A Fresnel reflectance: a callable of the cosine v.h; a lambda will do. (Multiple scattering asks for `average()`
+/// too, the mean over the hemisphere weighted with the cosine: all of lobe's have it.)
 template <class F, class T>
-concept fresnel = requires(const F reflectance, const T u) { reflectance(u); };
+concept fresnel = requires(const F reflectance, const T u) {
+    reflectance(u);
+};
 
 /// `evaluate(v, l)`: f(v,l) cos(theta_l), and the density with which `sample(v, u)` draws l, in 1/sr.
 template <class S, scalar T>
@@ -28,8 +30,8 @@ struct direction_sample {
 
 namespace detail {
 
-/// What a part of a BRDF says of its creases, `for_each_crease(g)`: the cosines v.m in (0,1) at which it has a kink, each to g. Most have
-/// none, and no such member.
+/// What a part of a BRDF says of its creases, `for_each_crease(g)`: the cosines v.m in (0,1) at which it has a kink,
+/// each to g. Most have none, and no such member.
 template <class Part, class G>
 constexpr void for_each_crease(const Part& part, const G& g) {
     if constexpr (requires { part.for_each_crease(g); }) part.for_each_crease(g);
@@ -39,7 +41,8 @@ constexpr void for_each_crease(const Part& part, const G& g) {
 
 /// A BRDF: `f_cos(v, l)` is f(v,l) cos(theta_l), zero where v or l is below the horizon. `width()` is the scale of its
 /// narrowest structure in half-vector slopes along x and y, for quadrature.
-/// Parameters outside their domain end in an assert; where asserts are compiled out, results mean nothing: NaN, or some number.
+/// Parameters outside their domain end in an assert; where asserts are compiled out, results mean nothing: NaN, or some
+/// number.
 template <class B>
 concept brdf = scalar<typename B::scalar> && requires(const B b, const vec3<typename B::scalar> w) {
     typename B::spectrum;
@@ -50,23 +53,25 @@ concept brdf = scalar<typename B::scalar> && requires(const B b, const vec3<type
 
 /// ... that draws light directions: u.x radial, u.y azimuthal, both in [0,1).
 template <class B>
-concept samplable_brdf = brdf<B> && requires(const B b, const vec3<typename B::scalar> w, const vec2<typename B::scalar> u) {
+concept samplable_brdf = brdf<B> &&
+    requires(const B b, const vec3<typename B::scalar> w, const vec2<typename B::scalar> u) {
     { b.sample(w, u) } -> std::same_as<direction_sample<typename B::spectrum, typename B::scalar>>;
     { b.pdf(w, w) } -> std::same_as<typename B::scalar>;
     { b.evaluate(w, w) } -> std::same_as<evaluation<typename B::spectrum, typename B::scalar>>;
 };
 
-/// GLM converts float and double vectors into each other without a word. A BRDF `Self` that derives from this, and `using`s its names, does
-/// not: vectors of any other type than its own find a deleted function. (Compilers print the line, and with it what to do. `Self` keeps the
-/// bases of nested BRDFs apart: two of one type would not share an address.)
+/// GLM converts float and double vectors into each other without a word. A BRDF `Self` that derives from this, and
+/// `using`s its names, does not: vectors of any other type than its own find a deleted function. (Compilers print the
+/// line, and with it what to do. `Self` keeps the bases of nested BRDFs apart: two of one type would not share an
+/// address.)
 template <class Self>
 struct exact_vectors {
     // clang-format off
-    template <class V, class L> void f(const V&, const L&) const = delete;         // convert v and l: vec3<T>(v), T the BRDF's scalar
-    template <class V, class L> void f_cos(const V&, const L&) const = delete;     // convert v and l: vec3<T>(v), T the BRDF's scalar
-    template <class V, class L> void pdf(const V&, const L&) const = delete;       // convert v and l: vec3<T>(v), T the BRDF's scalar
-    template <class V, class L> void evaluate(const V&, const L&) const = delete;  // convert v and l: vec3<T>(v), T the BRDF's scalar
-    template <class V, class U> void sample(const V&, const U&) const = delete;    // convert v and u: vec3<T>(v), T the BRDF's scalar
+    template <class V, class L> void f(const V&, const L&) const = delete;         // convert them: vec3<T>(v)
+    template <class V, class L> void f_cos(const V&, const L&) const = delete;     // convert them: vec3<T>(v)
+    template <class V, class L> void pdf(const V&, const L&) const = delete;       // convert them: vec3<T>(v)
+    template <class V, class L> void evaluate(const V&, const L&) const = delete;  // convert them: vec3<T>(v)
+    template <class V, class U> void sample(const V&, const U&) const = delete;    // convert them: vec3<T>(v)
     // clang-format on
 };
 

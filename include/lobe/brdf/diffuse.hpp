@@ -15,7 +15,7 @@ namespace lobe {
 /// v, l unit, in tangent space; all is zero unless both are above the horizon. f, pdf in 1/sr.
 template <class Model, class S, class Sampler>
 class diffuse_brdf : exact_vectors<Model> {
-    using T = detail::component_t<S>;
+    using T = component_t<S>;
     using exact = exact_vectors<Model>;
 
 public:
@@ -24,24 +24,34 @@ public:
     using exact::f, exact::f_cos, exact::pdf, exact::evaluate, exact::sample;
     static constexpr bool isotropic = true;
 
-    constexpr S f(const vec3<T>& v, const vec3<T>& l) const { return model().pi_f(v, l, above_horizon(v, l), inv_pi<T>()); }
-    constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const { return model().pi_f(v, l, above_horizon(v, l), l.z * inv_pi<T>()); }
+    constexpr S f(const vec3<T>& v, const vec3<T>& l) const {
+        return model().pi_f(v, l, above_horizon(v, l), inv_pi<T>());
+    }
+    constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const {
+        return model().pi_f(v, l, above_horizon(v, l), l.z * inv_pi<T>());
+    }
     // (Inlined by force: compilers would call what they meet twice, and a loop with a call does not vectorise.)
-    [[gnu::always_inline]] constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const { return pdf(v, l, Sampler{}.share(model(), v, l)); }
+    [[gnu::always_inline]] constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const {
+        return pdf(v, l, Sampler{}.share(model(), v, l));
+    }
     [[gnu::always_inline]] constexpr evaluation<S, T> evaluate(const vec3<T>& v, const vec3<T>& l) const {
         return {f_cos(v, l), pdf(v, l)};
     }
 
     /// u in [0,1)^2. Fails only where v is below the horizon.
     [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const {
-        const vec3<T> l = Sampler{}.sample(model(), vec3<T>{v.x, v.y, absolute(v.z)}, u);  // seen from below its mirror image, which is not taken
+        // seen from below its mirror image, which is not taken
+        const vec3<T> l = Sampler{}.sample(model(), vec3<T>{v.x, v.y, absolute(v.z)}, u);
         const auto lit = above_horizon(v, l);
         const T share = Sampler{}.share(model(), v, l);
-        return {select(lit, l, vec3<T>{T(0), T(0), T(1)}), model().pi_f(v, l, lit, quotient(lit, T(1), share)), pdf(v, l, share)};
+        return {select(lit, l, vec3<T>{T(0), T(0), T(1)}), model().pi_f(v, l, lit, quotient(lit, T(1), share)),
+                pdf(v, l, share)};
     }
 
     /// pi f(v, n): what a composition shares its samples by.
-    constexpr S albedo_estimate(const vec3<T>& v) const { return model().pi_f(v, {T(0), T(0), T(1)}, v.z > horizon<T>(), T(1)); }
+    constexpr S albedo_estimate(const vec3<T>& v) const {
+        return model().pi_f(v, {T(0), T(0), T(1)}, v.z > horizon<T>(), T(1));
+    }
 
     constexpr vec2<T> width() const { return {T(1), T(1)}; }
 

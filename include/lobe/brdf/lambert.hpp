@@ -9,7 +9,7 @@ namespace lobe {
 /// S: one number or linear rgb, albedo in [0,1]; v, l unit, in tangent space; zero below the horizon.
 template <class S>
 class lambert : public cosine_sampled<lambert<S>, S> {
-    using T = detail::component_t<S>;
+    using T = component_t<S>;
 
 public:
     constexpr explicit lambert(const S& albedo) : rho(albedo) {

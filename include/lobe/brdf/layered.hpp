@@ -34,8 +34,9 @@ constexpr T cosine_in_unit_interval(const T& c) {
 }  // namespace detail
 
 /// 1 - F(v.h): what a facet that mirrors v to l lets through. glTF 2.0, appendix B.3; F is that of the specular lobe.
-/// Reciprocal, needs no table, and gains energy, because at grazing the lobe reflects far more than F(v.h) of the diffuse light: over
-/// a white base, F0 = 0.04, the total albedo is 1.26 at mu = alpha = 0.1, 1.49 at mu = 0.01, alpha = 0.05, and tends to 1.9 as both vanish.
+/// Reciprocal, needs no table, and gains energy, because at grazing the lobe reflects far more than F(v.h) of the
+/// diffuse light: over a white base, F0 = 0.04, the total albedo is 1.26 at mu = alpha = 0.1, 1.49 at mu = 0.01, alpha
+/// = 0.05, and tends to 1.9 as both vanish.
 template <class F>
 class fresnel_coupling {
 public:
@@ -55,9 +56,10 @@ private:
     [[no_unique_address]] F fresnel_;
 };
 
-/// 1 - E(v): what the specular lobe, seen from v, does not reflect. E: a callable of the cosine of v, the lobe's directional
-/// albedo (from a `dfg_table`: F0 * scale + bias), finite on [0,1]; as it knows no azimuth, for isotropic lobes.
-/// A white base totals exactly 1, as well as E is known. Not reciprocal: f(v,l)/f(l,v) of the base is (1 - E(v))/(1 - E(l)).
+/// 1 - E(v): what the specular lobe, seen from v, does not reflect. E: a callable of the cosine of v, the lobe's
+/// directional albedo (from a `dfg_table`: F0 * scale + bias), finite on [0,1]; as it knows no azimuth, for isotropic
+/// lobes. A white base totals exactly 1, as well as E is known. Not reciprocal: f(v,l)/f(l,v) of the base is (1 -
+/// E(v))/(1 - E(l)).
 template <class E>
 class albedo_coupling {
 public:
@@ -72,24 +74,27 @@ private:
     [[no_unique_address]] E e;
 };
 
-/// (1 - E(v)) (1 - E(l)) / (1 - E_avg): what passes on the way in and on the way out, scaled so that nothing is lost over a
-/// Lambertian base. Kelemen & Szirmay-Kalos 2001, "A Microfacet Based Coupled Specular-Matte BRDF Model with Importance Sampling";
-/// Kulla & Conty 2017, "Revisiting Physically Based Shading at Imageworks".
-/// E as for `albedo_coupling`; E_avg = 2 int_0^1 E(mu) mu dmu of the same lobe, below 1. S needs `/` here, once, in the constructor.
+/// (1 - E(v)) (1 - E(l)) / (1 - E_avg): what passes on the way in and on the way out, scaled so that nothing is lost
+/// over a Lambertian base. Kelemen & Szirmay-Kalos 2001, "A Microfacet Based Coupled Specular-Matte BRDF Model with
+/// Importance Sampling"; Kulla & Conty 2017, "Revisiting Physically Based Shading at Imageworks".
+/// E as for `albedo_coupling`; E_avg = 2 int_0^1 E(mu) mu dmu of the same lobe, below 1. S needs `/` here, once, in the
+/// constructor.
 /// Reciprocal to the bit if the base is. A white Lambertian base totals exactly 1, as well as E and E_avg are known.
 template <class E, class S>
 class reciprocal_coupling {
 public:
     constexpr reciprocal_coupling(const E& directional_albedo_of_lobe, const S& average_albedo_of_lobe)
         : e(directional_albedo_of_lobe), scale(average_albedo_of_lobe) {
-        assert(detail::in_unit_interval(average_albedo_of_lobe) && "reciprocal_coupling: the average albedo must be in [0,1)");
+        assert(detail::in_unit_interval(average_albedo_of_lobe) &&
+               "reciprocal_coupling: the average albedo must be in [0,1)");
         assert(detail::below_one(average_albedo_of_lobe) && "reciprocal_coupling: the average albedo must be below 1");
-        scale = S(detail::component_t<S>(1)) / detail::rest(average_albedo_of_lobe);
+        scale = S(component_t<S>(1)) / detail::rest(average_albedo_of_lobe);
     }
 
     template <scalar T>
     constexpr auto operator()(const vec3<T>& v, const vec3<T>& l) const {
-        return detail::rest(e(detail::cosine_in_unit_interval(v.z))) * detail::rest(e(detail::cosine_in_unit_interval(l.z))) * scale;
+        return detail::rest(e(detail::cosine_in_unit_interval(v.z))) *
+               detail::rest(e(detail::cosine_in_unit_interval(l.z))) * scale;
     }
 
 private:
@@ -133,8 +138,8 @@ private:
     [[no_unique_address]] Factor share;
 };
 
-/// f = specular f + coupling(v, l) base f. v, l unit, in tangent space; f in 1/sr; zero below the horizon. The two lobes of a `sum`, which
-/// samples them and hands them to quadrature one by one. Either may be a composition itself.
+/// f = specular f + coupling(v, l) base f. v, l unit, in tangent space; f in 1/sr; zero below the horizon. The two
+/// lobes of a `sum`, which samples them and hands them to quadrature one by one. Either may be a composition itself.
 template <brdf Specular, brdf Base, class Coupling>
 class layered : public sum<Specular, coupled<Base, Coupling>> {
 public:
@@ -142,21 +147,24 @@ public:
         : sum<Specular, coupled<Base, Coupling>>(specular, coupled<Base, Coupling>(base, share)) {}
 };
 
-/// A clear coat over any BRDF: base f (1 - w) + w coat f, w = weight F(n.v), F Schlick's with F0 = 0.04, the coat's facets mirrors. glTF
-/// KHR_materials_clearcoat (Khronos 2020), "Layering", which takes F at n.v and not at v.h so that the two shares add up to 1.
-/// `coat`: the coat's normals, `ggx{a}` or, for the long tail of Burley 2012, `gtr{alpha(lerp(0.1, 0.001, gloss)), 1}`; weight in [0,1].
-/// Both with the masking that belongs to them. Disney's coat is GTR1 masked by a GGX of alpha 0.25, whatever its own
-/// width, which is not Smith's: its F = 1 furnace is 0.81, 0.85, 1.14 at mu 1, 0.5, 0.1 (alpha 0.1), and its energy is safe
-/// only because it is scaled by F and a weight of 1/4. (`masked_by{gtr{a, 1}, ggx{alpha(0.25)}}` is it, with `smith_separable`.)
-/// Not reciprocal. Over a white base, weight 1, the total albedo is at most 1 and at least 0.853 (GGX, alpha 1, mu 0.12): what is missing
-/// is what a rough coat's own facets lose by single scattering.
-template <brdf Base, distribution N>
+/// A clear coat over any BRDF: base f (1 - w) + w coat f, w = weight F(n.v), F Schlick's with F0 = 0.04, the coat's
+/// facets mirrors. glTF KHR_materials_clearcoat (Khronos 2020), "Layering", which takes F at n.v and not at v.h so that
+/// the two shares add up to 1.
+/// `coat`: the coat's normals, `ggx{a}` or, for the long tail of Burley 2012, `tabulated{gtr{alpha(lerp(0.1, 0.001,
+/// gloss)), 1}}`; weight in [0,1]. Both with the masking that belongs to them. Disney's coat is GTR1 masked by a GGX of
+/// alpha 0.25, whatever its own width, which is not Smith's: its F = 1 furnace is 0.81, 0.85, 1.14 at mu 1, 0.5, 0.1
+/// (alpha 0.1), and its energy is safe only because it is scaled by F and a weight of 1/4. (`masked_by{gtr{a, 1},
+/// ggx{alpha(0.25)}}` is it, with `smith_separable`.) Not reciprocal. Over a white base, weight 1, the total albedo is
+/// at most 1 and at least 0.853 (GGX, alpha 1, mu 0.12): what is missing is what a rough coat's own facets lose by
+/// single scattering.
+template <brdf Base, normal_density N>
 constexpr auto coated(const Base& base, const N& coat, const typename Base::scalar& weight) {
     using T = typename Base::scalar;
     using S = typename Base::spectrum;
     const schlick F{S(T(4) / T(100))};
     const coat_share share{F, weight};
-    return layered{coupled{microfacet{coat, smith_correlated{}, perfect_reflector<S>{}}, share}, base, complement{share}};
+    return layered{coupled{microfacet{coat, smith_correlated{}, perfect_reflector<S>{}}, share}, base,
+                   complement{share}};
 }
 
 }  // namespace lobe

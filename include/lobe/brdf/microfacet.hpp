@@ -1,4 +1,5 @@
-// The microfacet BRDF of Cook and Torrance, composed from a distribution, a masking model, a Fresnel reflectance and a sampler.
+// The microfacet BRDF of Cook and Torrance, composed from a distribution, a masking model, a Fresnel reflectance and a
+// sampler.
 #pragma once
 
 #include <lobe/brdf/concepts.hpp>
@@ -18,25 +19,36 @@ concept fresnel_for = distribution<N> && fresnel<F, typename N::scalar>;
 /// Reached by parts that do not fit: says which one, and what to write.
 template <class N, class M, class F, class Sampler = visible_normals>
 class microfacet {
-    static constexpr bool first = distribution<N>, second = masking<M, N> || !first, third = detail::fresnel_for<F, N> || !first;
-    static_assert(first, "microfacet{distribution, masking, Fresnel}: the first part is a distribution of normals, ggx{alpha{0.3f}}");
-    static_assert(second, "microfacet{distribution, masking, Fresnel}: the second is a masking model for it, smith_correlated{}");
-    static_assert(third, "microfacet{distribution, masking, Fresnel}: the third is a callable of v.m in the scalar type of the "
-                         "distribution: schlick{0.04f} for ggx{alpha{0.3f}}, schlick{0.04} for ggx{alpha{0.3}}");
+    static constexpr bool area = distribution<N> || !normal_density<N>, first = distribution<N> || !area;
+    static constexpr bool second = masking<M, N> || !distribution<N>,
+                          third = detail::fresnel_for<F, N> || !distribution<N>;
+    static_assert(area, "these normals have no projected area in closed form: write tabulated{...}, built once, or "
+                        "masked_by{..., ggx{alpha{0.3f}}}");
+    static_assert(
+        first,
+        "microfacet{distribution, masking, Fresnel}: the first part is a distribution of normals, ggx{alpha{0.3f}}");
+    static_assert(
+        second, "microfacet{distribution, masking, Fresnel}: the second is a masking model for it, smith_correlated{}");
+    static_assert(
+        third, "microfacet{distribution, masking, Fresnel}: the third is a callable of v.m in the scalar type of the "
+               "distribution: schlick{0.04f} for ggx{alpha{0.3f}}, schlick{0.04} for ggx{alpha{0.3}}");
 
 public:
     constexpr microfacet(const N&, const M&, const F&, const Sampler& = {}) {}
 };
 
-/// f(v,l) = F(v.m) D(m) G2(v,l) / (4 cos(theta_v) cos(theta_l)) = F D / (4 den), in 1/sr. Cook & Torrance 1982; Walter et
-/// al. 2007, eq. 20. Nothing is divided by a cosine and no half vector is normalised: with s = v + l, D takes s as it
-/// is and v.m = |s|/2.
+/// f(v,l) = F(v.m) D(m) G2(v,l) / (4 cos(theta_v) cos(theta_l)) = F D / (4 den), in 1/sr. Cook & Torrance 1982; Walter
+/// et al. 2007, eq. 20. Nothing is divided by a cosine and no half vector is normalised: with s = v + l, D takes s as
+/// it is and v.m = |s|/2.
 /// v, l unit, in tangent space; f, f_cos, pdf are zero unless both are above the horizon. Reciprocal to rounding.
 /// Error of f_cos and pdf, GGX and Schlick, for v and l as they are given: 20 ULP.
 /// Sampled where the sampler can draw normals of the distribution.
-/// The horizon is a cosine of `horizon<T>()`, below which |v + l|^2 is no number any more where l nears -v.
+/// Domain: any two directions. Above the horizon are cosines of more than 2^-60, 8.7e-19, in float, 2^-500, 3e-151, in
+/// double (`horizon`): where l nears -v, |v + l|^2 is a number from there on. D needs alpha^2 |v + l|^2 as well: as
+/// that becomes subnormal D loses its digits, and is 0 where that is 0 (alpha 1e-4, both cosines 1e-18 in float: 3 %
+/// off; alpha 1e-6: 0).
 template <class N, class M, class F, class Sampler>
-    requires(distribution<N> && masking<M, N> && detail::fresnel_for<F, N>)
+    requires(distribution<N>&& masking<M, N>&& detail::fresnel_for<F, N>)
 class microfacet<N, M, F, Sampler> : exact_vectors<microfacet<N, M, F, Sampler>> {
     using T = typename N::scalar;
     using S = decltype(std::declval<const F&>()(std::declval<const T&>()));
@@ -48,7 +60,8 @@ public:
     using exact::f, exact::f_cos, exact::pdf, exact::evaluate, exact::sample;
     static constexpr bool isotropic = N::isotropic;
 
-    constexpr microfacet(const N& distribution_of_normals, const M& masking_model, const F& reflectance, const Sampler& sampling = {})
+    constexpr microfacet(const N& distribution_of_normals, const M& masking_model, const F& reflectance,
+                         const Sampler& sampling = {})
         : ndf(distribution_of_normals), shadow(masking_model), fresnel_(reflectance), sampler(sampling) {
         static_assert(brdf<microfacet>);
     }
@@ -56,7 +69,8 @@ public:
     // (Inlined by force, all of it: docs/design.md.)
     [[gnu::always_inline]] constexpr S f(const vec3<T>& v, const vec3<T>& l) const {
         const half h(v + l);
-        return fresnel_(h.v_m) * quotient(above_horizon(v, l), ndf.D(h.s), T(4) * shadow.denominator(ndf, v, l));
+        const T beside_F = quotient(above_horizon(v, l), ndf.D(h.s), T(4) * shadow.denominator(ndf, v, l));
+        return fresnel_(h.v_m) * smaller(beside_F, detail::largest<T>());  // F = 0 times infinity is a NaN
     }
 
     [[gnu::always_inline]] constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const {
@@ -64,17 +78,16 @@ public:
         return fresnel_(h.v_m) * quotient(above_horizon(v, l), ndf.D(h.s) * l.z, T(4) * shadow.denominator(ndf, v, l));
     }
 
-    [[gnu::always_inline]] constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const
-        requires normal_sampler<Sampler, N>
-    {
+    [[gnu::always_inline]] constexpr T pdf(const vec3<T>& v,
+                                           const vec3<T>& l) const requires normal_sampler<Sampler, N> {
         const half h(v + l);
-        return quotient(above_horizon(v, l), ndf.D(h.s), T(4) * sampler.area(ndf, v, h.v_m, h.m_z(), detail::area_above(ndf, v)));
+        return quotient(above_horizon(v, l), ndf.D(h.s),
+                        T(4) * sampler.area(ndf, v, h.v_m, h.m_z(), detail::area_above(ndf, v)));
     }
 
     /// f_cos and pdf together, sharing their work: for multiple importance sampling.
-    [[gnu::always_inline]] constexpr evaluation<S, T> evaluate(const vec3<T>& v, const vec3<T>& l) const
-        requires normal_sampler<Sampler, N>
-    {
+    [[gnu::always_inline]] constexpr evaluation<S, T>
+    evaluate(const vec3<T>& v, const vec3<T>& l) const requires normal_sampler<Sampler, N> {
         const half h(v + l);
         const auto above = above_horizon(v, l);
         const T sv = detail::area_above(ndf, v);
@@ -83,24 +96,27 @@ public:
                 quotient(above, D, sampler.area(ndf, v, h.v_m, h.m_z(), sv))};
     }
 
-    /// Domain: v above the horizon, u in [0,1)^2. Fails where the sampled facet reflects v below the horizon, or its density is below the
-    /// smallest number of T.
-    [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const
-        requires normal_sampler<Sampler, N>
-    {
-        const vec3<T> w{v.x, v.y, absolute(v.z)};  // from straight below no normal is visible
+    /// u in [0,1)^2. Fails where v is below the horizon or the sampled facet reflects it there, or its density is below
+    /// the smallest number of T.
+    [[gnu::always_inline]] constexpr direction_sample<S, T>
+    sample(const vec3<T>& v, const vec2<T>& u) const requires normal_sampler<Sampler, N> {
+        const vec3<T> w = upward(v);  // from straight below no normal is visible
         const vec3<T> m = sampler.sample(ndf, w, u);
         const vec3<T> l = reflect(w, m);
         const auto above = above_horizon(v, l);
         const T v_m = dot(w, m), sv = detail::area_above(ndf, w);
-        const T area = sampler.area(ndf, w, v_m, m.z, sv), density = ndf.D(vec3<T>{m.x, m.y, absolute(m.z)}) / (T(4) * area);
+        const T area = sampler.area(ndf, w, v_m, m.z, sv), density = ndf.D(upward(m)) / (T(4) * area);
         const auto valid = above && density > T(0);  // a Gaussian tail may underflow
         return {select(valid, l, vec3<T>{T(0), T(0), T(1)}),
-                fresnel_(select(valid, smaller(v_m, T(1)), T(1))) * quotient(valid, l.z * area, shadow.denominator(ndf, w, l, sv)), select(valid, density, T(0))};
+                fresnel_(select(valid, smaller(v_m, T(1)), T(1))) *
+                    quotient(valid, l.z * area, shadow.denominator(ndf, w, l, sv)),
+                select(valid, density, T(0))};
     }
 
     /// F(n.v): what a composition shares its samples by.
-    [[gnu::always_inline]] constexpr S albedo_estimate(const vec3<T>& v) const { return fresnel_(smaller(larger(v.z, T(0)), T(1))); }
+    [[gnu::always_inline]] constexpr S albedo_estimate(const vec3<T>& v) const {
+        return fresnel_(smaller(larger(v.z, T(0)), T(1)));
+    }
 
     constexpr vec2<T> width() const { return ndf.width(); }
 
@@ -111,11 +127,15 @@ public:
     }
 
 private:
-    /// The half vector as v + l, or where that is below the horizon its mirror image: nothing asks for it, and D need not look.
+    /// w, or where that is below the horizon, where nothing is asked for, its mirror image: so no formula has to look
+    /// where w is.
+    static constexpr vec3<T> upward(const vec3<T>& w) { return {w.x, w.y, absolute(w.z)}; }
+
+    /// The half vector as v + l.
     struct half {
         vec3<T> s;
         T v_m;  // v.m = |s|/2, which rounding may take above 1
-        constexpr explicit half(const vec3<T>& sum) : s{sum.x, sum.y, absolute(sum.z)}, v_m(smaller(length(sum) / T(2), T(1))) {}
+        constexpr explicit half(const vec3<T>& sum) : s(upward(sum)), v_m(smaller(length(s) / T(2), T(1))) {}
         constexpr T m_z() const { return quotient(v_m > T(0), s.z, T(2) * v_m); }
     };
 

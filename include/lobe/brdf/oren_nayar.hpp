@@ -7,8 +7,8 @@ namespace lobe {
 
 namespace detail {
 
-/// sin(alpha) tan(beta) cos(phi_v - phi_l) = s / max(cos(theta_v), cos(theta_l)), s = v.l - cos(theta_v) cos(theta_l): the dot
-/// product of the horizontal parts, which needs no angle.
+/// sin(alpha) tan(beta) cos(phi_v - phi_l) = s / max(cos(theta_v), cos(theta_l)), s = v.l - cos(theta_v) cos(theta_l):
+/// the dot product of the horizontal parts, which needs no angle.
 template <scalar T>
 constexpr T horizontal_dot(const vec3<T>& v, const vec3<T>& l) {
     return v.x * l.x + v.y * l.y;
@@ -16,15 +16,18 @@ constexpr T horizontal_dot(const vec3<T>& v, const vec3<T>& l) {
 
 }  // namespace detail
 
-/// f = rho/pi (A + B max(0, s)/max(cos(theta_v), cos(theta_l))), A = 1 - sigma^2/(2 (sigma^2 + 0.33)), B = 0.45 sigma^2/(sigma^2 + 0.09).
-/// Oren & Nayar 1994, "Generalization of Lambert's Reflectance Model", the qualitative model (no interreflections).
+/// f = rho/pi (A + B max(0, s)/max(cos(theta_v), cos(theta_l))), A = 1 - sigma^2/(2 (sigma^2 + 0.33)), B = 0.45
+/// sigma^2/(sigma^2 + 0.09). Oren & Nayar 1994, "Generalization of Lambert's Reflectance Model", the qualitative model
+/// (no interreflections).
 /// sigma: standard deviation of the facets' slope angle, radians, in [0, pi/2]; rho in [0,1].
-/// Albedo at rho = 1: from 0.559 (sigma = pi/2, seen from above) to 1.015 (sigma = 0.2, grazing): it loses energy, or makes a little.
+/// Albedo at rho = 1: from 0.559 (sigma = pi/2, seen from above) to 1.015 (sigma = 0.2, grazing): it loses energy, or
+/// makes a little.
 /// Rounding: 8 ULP of its largest term, B (|v.x l.x| + |v.y l.y|)/max(cos) among them.
-/// Sampled by `backscatter_sampling`: weight at most 1.06 rho. `oren_nayar{rho, sigma, cosine_sampling{}}`: 0.44 rho/cos(theta_v).
+/// Sampled by `backscatter_sampling`: weight at most 1.06 rho. `oren_nayar{rho, sigma, cosine_sampling{}}`: 0.44
+/// rho/cos(theta_v).
 template <class S, class Sampler = backscatter_sampling>
 class oren_nayar : public diffuse_brdf<oren_nayar<S, Sampler>, S, Sampler> {
-    using T = detail::component_t<S>;
+    using T = component_t<S>;
 
 public:
     constexpr oren_nayar(const S& albedo, const T& sigma, const Sampler& = {})
@@ -65,7 +68,8 @@ struct fujii {
     }
 
     constexpr T operator()(const vec3<T>& v, const vec3<T>& l) const {
-        const T s = horizontal_dot(v, l), t = larger(larger(v.z, l.z), horizon<T>());  // no 1/0 below it, where nothing is asked for
+        // no 1/0 below it, where nothing is asked for
+        const T s = horizontal_dot(v, l), t = larger(larger(v.z, l.z), horizon<T>());
         // never negative by rounding, where 1 + r s vanishes
         return A * larger(T(1) + r * s / select(s > T(0), t, T(1)), T(0));
     }
@@ -79,11 +83,13 @@ struct fujii {
 
 }  // namespace detail
 
-/// What a FON surface of albedo 1 fails to reflect: 1 - E_F(w) = r A_F loss(w), with loss = c1 - G/pi in the symbols of Portsmouth, Kutz,
-/// Hill 2024 (listing 1, `E_FON_exact`), G = S (theta - S mu) + 2/3 ((S/mu) (1 - S^3) - S), S = sin(theta), mu = cos(theta). Here as
+/// What a FON surface of albedo 1 fails to reflect: 1 - E_F(w) = r A_F loss(w), with loss = c1 - G/pi in the symbols of
+/// Portsmouth, Kutz, Hill 2024 (listing 1, `E_FON_exact`), G = S (theta - S mu) + 2/3 ((S/mu) (1 - S^3) - S), S =
+/// sin(theta), mu = cos(theta). Here as
 ///   loss = ( S asin(mu) + mu ( (pi/2 - 2/3) mu/(1+S) + S^2 - 2/3 S (1+S+S^2)/(1+S) ) ) / pi,
 /// in which the constants that cancel at grazing, where loss is mu/pi, have cancelled already.
-/// Domain: unit w, above the horizon. Error: 8 ULP.
+/// Domain: unit w, above the horizon.
+/// Error: 8 ULP.
 struct fon_loss {
     template <scalar T>
     constexpr T operator()(const vec3<T>& w) const {
@@ -107,14 +113,14 @@ struct fon_loss_fit {
     }
 };
 
-/// f = rho A_F/pi (1 + r s/t), t = max(cos(theta_v), cos(theta_l)) where s > 0, else 1; A_F = 1/(1 + (1/2 - 2/(3 pi)) r).
-/// Fujii 2012, "A tiny improvement of Oren-Nayar reflectance model"; "FON" in Portsmouth, Kutz, Hill 2024. rho, r in [0,1].
-/// E(mu) is `albedo(w)`, its average rho A_F (1 + (2/3 - 28/(15 pi)) r): below 1, and 1 at grazing.
+/// f = rho A_F/pi (1 + r s/t), t = max(cos(theta_v), cos(theta_l)) where s > 0, else 1; A_F = 1/(1 + (1/2 - 2/(3 pi))
+/// r). Fujii 2012, "A tiny improvement of Oren-Nayar reflectance model"; "FON" in Portsmouth, Kutz, Hill 2024. rho, r
+/// in [0,1]. E(mu) is `albedo(w)`, its average rho A_F (1 + (2/3 - 28/(15 pi)) r): below 1, and 1 at grazing.
 /// Rounding: 8 ULP of its largest term (1 + r s vanishes where r = 1 and both directions are grazing and opposite).
 /// Sampled by `backscatter_sampling`: weight at most 1.04 rho. `fon{rho, r, cosine_sampling{}}`: 0.78 rho/cos(theta_v).
 template <class S, class Sampler = backscatter_sampling>
 class fon : public diffuse_brdf<fon<S, Sampler>, S, Sampler> {
-    using T = detail::component_t<S>;
+    using T = component_t<S>;
 
 public:
     constexpr fon(const S& albedo, const T& roughness, const Sampler& = {}) : rho(albedo), facets(roughness) {

@@ -1,4 +1,5 @@
-// How a microfacet BRDF draws its half vectors: the fourth part of `microfacet`. Two more for GGX are in ggx_samplers.hpp.
+// How a microfacet BRDF draws its half vectors: the fourth part of `microfacet`. Two more for GGX are in
+// ggx_samplers.hpp.
 #pragma once
 
 #include <lobe/ndf/concepts.hpp>
@@ -7,7 +8,8 @@ namespace lobe {
 
 /// A sampler for the distribution N is two functions:
 /// - `sample(ndf, v, u)`: a unit normal m, seen from v or not;
-/// - `area(ndf, v, v_m, m_z, sv)`: how dense the directions reflected by these m are. Their pdf is D(m) / (4 area) in 1/sr, their
+/// - `area(ndf, v, v_m, m_z, sv)`: how dense the directions reflected by these m are. Their pdf is D(m) / (4 area) in
+///   1/sr, their
 ///   weight F cos(theta_l) area / den. (v_m = v.m, m_z = cos(theta_m), sv = projected_area(v).)
 template <class S, class N>
 concept normal_sampler = distribution<N> && requires(const S sampler, const N ndf, const vec3<typename N::scalar> w,
@@ -38,7 +40,7 @@ struct all_normals {
     template <distribution N, class T = typename N::scalar>
     constexpr T area(const N&, const vec3<T>&, const T& v_m, const T& m_z, const T&) const {
         const auto above = v_m * m_z > T(0);  // (v.z + l.z)/2
-        return select(above, v_m, T(1)) / select(above, m_z, T(1));
+        return select(above, quotient(above, v_m, m_z), T(1));
     }
 };
 

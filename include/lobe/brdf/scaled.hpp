@@ -7,10 +7,12 @@
 
 namespace lobe {
 
-/// A factor of a BRDF: a callable of v and l, one number or a spectrum. It is asked below the horizon too, where the BRDF is 0 and any
-/// finite answer will do.
+/// A factor of a BRDF: a callable of v and l, one number or a spectrum. It is asked below the horizon too, where the
+/// BRDF is 0 and any finite answer will do.
 template <class C, class T>
-concept factor = requires(const C c, const vec3<T> w) { c(w, w); };
+concept factor = requires(const C c, const vec3<T> w) {
+    c(w, w);
+};
 
 namespace detail {
 
@@ -42,24 +44,24 @@ public:
     constexpr scaled(const Base& whole, const Factor& part) : base(whole), share(part) {}
 
     // (Inlined by force, as the factors are: docs/design.md.)
-    [[gnu::always_inline]] constexpr S f(const vec3<T>& v, const vec3<T>& l) const { return base.f(v, l) * share(v, l); }
-    [[gnu::always_inline]] constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const { return base.f_cos(v, l) * share(v, l); }
+    [[gnu::always_inline]] constexpr S f(const vec3<T>& v, const vec3<T>& l) const {
+        return base.f(v, l) * share(v, l);
+    }
+    [[gnu::always_inline]] constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const {
+        return base.f_cos(v, l) * share(v, l);
+    }
 
-    [[gnu::always_inline]] constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const
-        requires samplable_brdf<Base>
-    {
+    [[gnu::always_inline]] constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const requires samplable_brdf<Base> {
         return base.pdf(v, l);
     }
-    [[gnu::always_inline]] constexpr evaluation<S, T> evaluate(const vec3<T>& v, const vec3<T>& l) const
-        requires samplable_brdf<Base>
-    {
+    [[gnu::always_inline]] constexpr evaluation<S, T> evaluate(const vec3<T>& v,
+                                                               const vec3<T>& l) const requires samplable_brdf<Base> {
         const auto e = base.evaluate(v, l);
         return {e.f_cos * share(v, l), e.pdf};
     }
     /// A failed sample has weight 0, but its view may be a NaN: the factor is asked at n instead.
-    [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const
-        requires samplable_brdf<Base>
-    {
+    [[gnu::always_inline]] constexpr direction_sample<S, T>
+    sample(const vec3<T>& v, const vec2<T>& u) const requires samplable_brdf<Base> {
         const auto s = base.sample(v, u);
         return {s.l, s.weight * share(select(s.pdf > T(0), v, s.l), s.l), s.pdf};
     }
@@ -108,7 +110,8 @@ public:
 template <brdf Base, class Coupling>
 class coupled : public scaled<Base, Coupling> {
 public:
-    constexpr coupled(const Base& below, const Coupling& left_by_the_lobe) : scaled<Base, Coupling>(below, left_by_the_lobe) {}
+    constexpr coupled(const Base& below, const Coupling& left_by_the_lobe)
+        : scaled<Base, Coupling>(below, left_by_the_lobe) {}
 };
 
 }  // namespace lobe

@@ -7,13 +7,16 @@
 
 namespace lobe {
 
-/// The constant k of `schlick_ggx`, as a type: no bare number is taken for it, because the literature gives the letter four
-/// meanings. The functions below name them; this constructor is for a convention of your own. Precondition: k >= 0.
+/// The constant k of `schlick_ggx`, as a type: no bare number is taken for it, because the literature gives the letter
+/// four meanings. The functions below name them; this constructor is for a convention of your own.
+/// Precondition: k >= 0.
 template <scalar T>
 class schlick_k {
 public:
     using scalar = T;
-    constexpr explicit schlick_k(const T& value) : k(value) { assert(all(k >= T(0)) && "schlick_k: k must not be negative"); }
+    constexpr explicit schlick_k(const T& value) : k(value) {
+        assert(all(k >= T(0)) && "schlick_k: k must not be negative");
+    }
     constexpr T value() const { return k; }
 
 private:
@@ -37,8 +40,8 @@ constexpr schlick_k<T> k_ibl(const T& roughness) {
 }
 
 /// k = (r + 1)^2/8, r the artists' roughness in [0,1]. Karis 2013, for punctual lights: an artistic remapping (of r to
-/// (r + 1)/2 before it is squared), no approximation of Smith-GGX, whose G1 it misses by up to 0.92, 0.20 rms. Never for
-/// image-based light.
+/// (r + 1)/2 before it is squared), no approximation of Smith-GGX, whose G1 it misses by up to 0.92, 0.20 rms. Never
+/// for image-based light.
 template <scalar T>
 constexpr schlick_k<T> k_ue4_direct(const T& roughness) {
     assert(all(roughness >= T(0)) && "schlick_k: roughness must not be negative");
@@ -47,7 +50,8 @@ constexpr schlick_k<T> k_ue4_direct(const T& roughness) {
 }
 
 /// k = sqrt(2/pi) m, m the root mean square slope (alpha/sqrt(2) for Beckmann): Schlick's own, for Beckmann's masking.
-/// Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering". Error of G1 against GGX at m = alpha/sqrt(2):
+/// Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering".
+/// Error of G1 against GGX at m = alpha/sqrt(2):
 /// 0.189 at most, 0.064 rms.
 template <scalar T>
 constexpr schlick_k<T> k_schlick1994(const T& rms_slope) {
@@ -66,14 +70,17 @@ public:
     using masking_functions<schlick_ggx>::denominator;
     template <distribution N>
         requires std::same_as<T, typename N::scalar>
-    constexpr T denominator(const N&, const vec3<T>& v, const vec3<T>& l, const T&) const { return area(v.z) * area(l.z); }
+    constexpr T denominator(const N&, const vec3<T>& v, const vec3<T>& l, const T&) const {
+        return area(v.z) * area(l.z);
+    }
 
     template <distribution N>
         requires std::same_as<T, typename N::scalar>
     constexpr T G1(const N&, const vec3<T>& v) const { return v.z / area(v.z); }
 
 private:
-    constexpr T area(const T& cosine) const { return cosine * (T(1) - k.value()) + k.value(); }  // in the place of projected_area
+    // in the place of projected_area
+    constexpr T area(const T& cosine) const { return cosine * (T(1) - k.value()) + k.value(); }
 
     schlick_k<T> k;
 };

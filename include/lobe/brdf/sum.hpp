@@ -1,4 +1,5 @@
-// The sum of BRDFs, each with a weight: two specular lobes, a diffuse base under a coat. Sampled by a one-sample mixture.
+// The sum of BRDFs, each with a weight: two specular lobes, a diffuse base under a coat. Sampled by a one-sample
+// mixture.
 #pragma once
 
 #include <lobe/brdf/scaled.hpp>
@@ -20,7 +21,10 @@ constexpr T mean(const S& s) {
         return s;
     } else if constexpr (std::same_as<S, vec3<T>>) {
         return (s.x + s.y + s.z) / T(3);
-    } else if constexpr (requires { T(*s.begin()); s.end(); }) {
+    } else if constexpr (requires {
+                             T(*s.begin());
+                             s.end();
+                         }) {
         T total(0), count(0);
         for (const auto& component : s) total = total + T(component), count = count + T(1);
         return total / count;
@@ -35,11 +39,12 @@ constexpr T mean(const S& s) {
 /// Two specular lobes, each with a masking of its own: `sum{weighted{1 - t, a}, weighted{t, b}}`.
 /// `for_each_lobe(g)` calls g with each: quadrature integrates them separately, each on its own width.
 ///
-/// Sampled, where all lobes are, by a one-sample mixture (Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation",
-/// section 9.2.4, with the balance heuristic):
+/// Sampled, where all lobes are, by a one-sample mixture (Veach 1997, "Robust Monte Carlo Methods for Light Transport
+/// Simulation", section 9.2.4, with the balance heuristic):
 ///   pdf = sum p_i pdf_i,  weight = sum f_i cos / pdf,  p_i in proportion to the mean of lobe i's `albedo_estimate(v)`.
-/// u.x chooses and is stretched over [0,1) again. Branch-free, so it draws from every lobe and keeps one; the weight stays below
-/// max_i(weight_i / p_i). Fails where the chosen lobe does. A lobe whose estimate is 0 is left to the samples of the others.
+/// u.x chooses and is stretched over [0,1) again. Branch-free, so it draws from every lobe and keeps one; the weight
+/// stays below max_i(weight_i / p_i). Fails where the chosen lobe does. A lobe whose estimate is 0 is left to the
+/// samples of the others.
 template <brdf First, brdf... Rest>
 class sum : exact_vectors<sum<First, Rest...>> {
     using T = typename First::scalar;
@@ -59,27 +64,27 @@ public:
 
     // (Inlined by force, and without std::apply: docs/design.md.)
     [[gnu::always_inline]] constexpr S f(const vec3<T>& v, const vec3<T>& l) const { return f(v, l, every_lobe); }
-    [[gnu::always_inline]] constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const { return f_cos(v, l, every_lobe); }
+    [[gnu::always_inline]] constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const {
+        return f_cos(v, l, every_lobe);
+    }
 
-    [[gnu::always_inline]] constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const
-        requires samplable
-    {
+    [[gnu::always_inline]] constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const requires samplable {
         return pdf(v, l, every_lobe);
     }
 
-    [[gnu::always_inline]] constexpr evaluation<S, T> evaluate(const vec3<T>& v, const vec3<T>& l) const
-        requires samplable
-    {
+    [[gnu::always_inline]] constexpr evaluation<S, T> evaluate(const vec3<T>& v,
+                                                               const vec3<T>& l) const requires samplable {
         return evaluate(given_none_before(v, every_lobe), v, l, every_lobe);
     }
 
-    [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const
-        requires samplable
-    {
+    [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v,
+                                                                   const vec2<T>& u) const requires samplable {
         return sample(v, u, every_lobe);
     }
 
-    [[gnu::always_inline]] constexpr S albedo_estimate(const vec3<T>& v) const { return albedo_estimate(v, every_lobe); }
+    [[gnu::always_inline]] constexpr S albedo_estimate(const vec3<T>& v) const {
+        return albedo_estimate(v, every_lobe);
+    }
 
     /// The narrowest along each axis.
     constexpr vec2<T> width() const {
@@ -119,10 +124,12 @@ private:
         return (detail::albedo_estimate(std::get<i>(lobes), v) + ...);
     }
 
-    /// The probability of each lobe given that none before it was chosen: its part of what is left. So `reached`, the product of 1 - p over
-    /// those before it, is exactly how often a lobe has its turn, whatever was rounded here; the last has 1. All black: even parts.
+    /// The probability of each lobe given that none before it was chosen: its part of what is left. So `reached`, the
+    /// product of 1 - p over those before it, is exactly how often a lobe has its turn, whatever was rounded here; the
+    /// last has 1. All black: even parts.
     template <std::size_t... i>
-    [[gnu::always_inline]] constexpr probabilities given_none_before(const vec3<T>& v, std::index_sequence<i...>) const {
+    [[gnu::always_inline]] constexpr probabilities given_none_before(const vec3<T>& v,
+                                                                     std::index_sequence<i...>) const {
         probabilities p{detail::mean<T>(detail::albedo_estimate(std::get<i>(lobes), v))...};
         T left(0);
         for (std::size_t k = count; k-- > 0;) {
@@ -142,8 +149,8 @@ private:
     }
 
     template <std::size_t... i>
-    [[gnu::always_inline]] constexpr evaluation<S, T> evaluate(const probabilities& p, const vec3<T>& v, const vec3<T>& l,
-                                                               std::index_sequence<i...>) const {
+    [[gnu::always_inline]] constexpr evaluation<S, T> evaluate(const probabilities& p, const vec3<T>& v,
+                                                               const vec3<T>& l, std::index_sequence<i...>) const {
         evaluation<S, T> total{S(T(0)), T(0)};
         T reached(1);
         const auto add = [&](const evaluation<S, T>& e, const T& chosen) {
@@ -155,7 +162,8 @@ private:
     }
 
     template <std::size_t... i>
-    [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u, std::index_sequence<i...>) const {
+    [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u,
+                                                                   std::index_sequence<i...>) const {
         const vec3<T> n{T(0), T(0), T(1)};
         const auto p = given_none_before(v, every_lobe);
         vec3<T> l = n;
@@ -169,10 +177,11 @@ private:
             x = select(here, T(2), T(1) - (T(1) - x) / others);  // (x - chance)/(1 - chance), which may round to 1
         };
         (keep(std::get<i>(lobes).sample(v, {stretched(p[i]), u.y}), p[i]), ...);
-        // A failed sample is looked at from n, as 0 times the NaN of a NaN view would be a NaN. (Of which v.v > 0 says that it is none.)
+        // A failed sample is looked at from n, as 0 times the NaN of a NaN view would be a NaN. (Of which v.v > 0 says
+        // that it is none.)
         const auto drawn = chosen_pdf > T(0) && dot(v, v) > T(0);
         const auto e = evaluate(p, select(drawn, v, n), select(drawn, l, n), every_lobe);
-        const auto valid = drawn && e.pdf > T(0);
+        const auto valid = drawn && e.pdf > detail::smallest<T>();
         return {select(valid, l, n), e.f_cos * quotient(valid, T(1), e.pdf), select(valid, e.pdf, T(0))};
     }
 

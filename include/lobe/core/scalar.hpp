@@ -18,21 +18,23 @@ concept scalar = !std::integral<T> && requires(const T a, const T b) {
     { -a } -> std::convertible_to<T>;
     { a + b } -> std::convertible_to<T>;
     { a - b } -> std::convertible_to<T>;
-    { a * b } -> std::convertible_to<T>;
+    { a* b } -> std::convertible_to<T>;
     { a / b } -> std::convertible_to<T>;
     a < b;
     a > b;
 };
 
 /// `mask ? a : b` as a function: packs bring their own overload, vectors have one in vector.hpp.
-/// Both sides are evaluated, and debug builds that trap NaNs see the one that is not taken as well: no 0/0 there (-> `quotient`).
+/// Both sides are evaluated, and debug builds that trap NaNs see the one that is not taken as well: no 0/0 there (->
+/// `quotient`).
 template <scalar T>
 constexpr T select(bool mask, const T& a, const T& b) {
     return mask ? a : b;
 }
 
-/// a/b where the mask holds, and 0 where it does not: for a b that may be 0 there. Neither 0/0 nor 1/0 is computed. (Compilers turn two
-/// selects side by side into one, and the guard of b costs nothing in a loop.)
+/// a/b where the mask holds, and 0 where it does not: for a b that may be 0 there. Neither 0/0 nor 1/0 is computed, so
+/// debug builds that trap NaNs run through (Clang's need -ffp-exception-behavior=maytrap). Of two selects on one mask
+/// compilers make one: in a loop it costs nothing.
 template <class Mask, scalar T>
 [[gnu::always_inline]] constexpr T quotient(const Mask& mask, const T& a, const T& b) {
     return select(mask, a / select(mask, b, T(1)), T(0));
@@ -68,7 +70,9 @@ constexpr T smaller(const T& a, const T& b) {
 template <scalar T>
 constexpr T absolute(const T& x) {
     using std::abs;
-    if constexpr (requires { { abs(x) } -> std::same_as<T>; })
+    if constexpr (requires {
+                      { abs(x) } -> std::same_as<T>;
+                  })
         return abs(x);
     else
         return select(x < T(0), -x, x);
@@ -111,8 +115,21 @@ constexpr T smallest() {
 template <class T>
 using lane_t = typename detail::lane<T>::type;
 
-/// Above the horizon are cosines of more than this, 2^-60 in float and 2^-500 in double. Below it squares underflow: that of v + l, where l
-/// nears -v, and the product of two cosines.
+namespace detail {
+
+/// The largest finite number in a lane of T. Infinity stays out of formulas: inf - inf and 0 * inf are NaN.
+template <scalar T>
+constexpr T largest() {
+    if constexpr (std::numeric_limits<lane_t<T>>::is_specialized)
+        return T((std::numeric_limits<lane_t<T>>::max)());
+    else
+        return T(1e300);
+}
+
+}  // namespace detail
+
+/// Above the horizon are cosines of more than this, 2^-60 in float and 2^-500 in double. Below it squares underflow:
+/// that of v + l, where l nears -v, and the product of two cosines.
 template <scalar T>
 constexpr T horizon() {
     return T(static_cast<lane_t<T>>(std::same_as<lane_t<T>, float> ? 0x1p-60 : 0x1p-500));
@@ -123,7 +140,8 @@ constexpr T horizon() {
 template <scalar T>
 constexpr T pi() {
     if constexpr (std::is_constructible_v<T, const char*>)
-        return T("3.141592653589793238462643383279502884197169399375105820974944592307816406286208998628034825342117068");
+        return T(
+            "3.141592653589793238462643383279502884197169399375105820974944592307816406286208998628034825342117068");
     else if constexpr (std::floating_point<lane_t<T>>)
         return T(static_cast<lane_t<T>>(3.141592653589793238462643383279502884L));
     else
@@ -157,7 +175,8 @@ template <scalar T>
         using std::cos, std::sin;
         return {sin(T(2) * pi<T>() * u), cos(T(2) * pi<T>() * u)};
     } else {
-        const auto step = [&](float at) { return select(u < T(at), T(0), T(1)); };  // summed: nested selects stay scalar
+        // summed: nested selects stay scalar
+        const auto step = [&](float at) { return select(u < T(at), T(0), T(1)); };
         const T quarter = step(0.125f) + step(0.375f) + step(0.625f) + step(0.875f);
         const T r = u - quarter * T(0.25f);
         const T t = r * r;
@@ -168,10 +187,11 @@ template <scalar T>
             sine = r * T(6.2831854820f) + r * (T(-1.74845560e-7f) + t * p);  // 2 pi in two parts
             cosine = T(1) + t * q;
         } else {
-            const T p = T(-41.34170224039967441) +
-                        t * (T(81.60524927596822842) +
-                             t * (T(-76.70585970878480164) +
-                                  t * (T(42.05868550676149512) + t * (T(-15.09382932284615955) + t * T(3.781366407158700742)))));
+            const T p =
+                T(-41.34170224039967441) +
+                t * (T(81.60524927596822842) + t * (T(-76.70585970878480164) +
+                                                    t * (T(42.05868550676149512) + t * (T(-15.09382932284615955) +
+                                                                                        t * T(3.781366407158700742)))));
             const T q = T(-19.73920880217871707) +
                         t * (T(64.93939402266801339) +
                              t * (T(-85.45681720654004791) +

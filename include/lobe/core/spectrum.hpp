@@ -5,7 +5,9 @@
 
 #include <limits>
 
-namespace lobe::detail {
+namespace lobe {
+
+namespace detail {
 
 template <class S>
 struct component {
@@ -21,14 +23,21 @@ struct component<S> {
     using type = typename S::value_type;
 };
 
-/// The number that a spectrum consists of: T for T and for vec3<T>, `value_type` of a type of the user's own, else double.
-template <class S>
-using component_t = typename component<S>::type;
+}  // namespace detail
 
-/// May a formula ask a spectrum S for a cosine of type T? Numbers, vectors and types that name their `value_type` want that type: C++
-/// and GLM would convert any other without a word. A type of the user's own that names none is taken at its word.
+/// The number that a spectrum consists of: T for T and for vec3<T>, `value_type` of a type of the user's own, else
+/// double.
+template <class S>
+using component_t = typename detail::component<S>::type;
+
+namespace detail {
+
+/// May a formula ask a spectrum S for a cosine of type T? Numbers, vectors and types that name their `value_type` want
+/// that type: C++ and GLM would convert any other without a word. A type of the user's own that names none is taken at
+/// its word.
 template <class T, class S>
-concept component_of = scalar<T> && (std::same_as<T, component_t<S>> || !(scalar<S> || requires { typename S::value_type; }));
+concept component_of = scalar<T> &&
+    (std::same_as<T, component_t<S>> || !(scalar<S> || requires { typename S::value_type; }));
 
 // (Inlined by force: a formula of three wavelengths is large, and a loop with a call does not vectorise.)
 template <class F, scalar T, std::same_as<T>... More>
@@ -87,4 +96,6 @@ constexpr int digits() {
     return limits::is_specialized ? limits::digits : 53;
 }
 
-}  // namespace lobe::detail
+}  // namespace detail
+
+}  // namespace lobe

@@ -41,7 +41,8 @@ constexpr vec3<T> normalize(const vec3<T>& a) {
     return {a.x / s, a.y / s, a.z / s};
 }
 
-/// The direction that `v` is mirrored to by a facet with unit normal `m`: 2 (v.m) m - v. Both point away from the surface.
+/// The direction that `v` is mirrored to by a facet with unit normal `m`: 2 (v.m) m - v. Both point away from the
+/// surface.
 template <scalar T>
 constexpr vec3<T> reflect(const vec3<T>& v, const vec3<T>& m) {
     return T(2) * dot(v, m) * m - v;
@@ -53,7 +54,7 @@ constexpr vec3<T> half_vector(const vec3<T>& v, const vec3<T>& l) {
     return normalize(v + l);
 }
 
-/// Are both above the horizon?
+/// Are both above the horizon, where a BRDF is not 0? (-> `horizon`)
 template <scalar T>
 constexpr auto above_horizon(const vec3<T>& v, const vec3<T>& l) {
     return v.z > horizon<T>() && l.z > horizon<T>();

@@ -32,9 +32,10 @@ struct schlick_terms {
 
 }  // namespace detail
 
-/// The split-sum terms of isotropic GGX by quadrature. Domain: mu = cos(theta_v) in (0,1], alpha mu >= 1e-13 (alpha from 1e-10 for mu from
-/// 1e-3): there within 4e-6 of the limit alpha = 0; below, the rounding of l in double is too much for D, and soon makes a NaN.
-/// Computed in double for float. `options` may ask for an order instead of a tolerance: 2 order^2 evaluations.
+/// The split-sum terms of isotropic GGX by quadrature.
+/// Domain: mu = cos(theta_v) in (0,1], alpha mu >= 1e-13 (alpha from 1e-10 for mu from 1e-3): there within 4e-6 of the
+/// limit alpha = 0; below, the rounding of l in double is too much for D, and soon makes a NaN. Computed in double for
+/// float. `options` may ask for an order instead of a tolerance: 2 order^2 evaluations.
 /// Error: 5e-6 at order 16, 2e-8 at 32, for mu and alpha in [0.001,1].
 template <scalar T, class Masking>
 dfg_terms<T> dfg_exact(const Masking& masking_model, const T& mu, const alpha<T>& a, const quadrature& options = {}) {

@@ -11,13 +11,15 @@ namespace detail {
 template <scalar T>
 class node_grid {
 public:
-    explicit node_grid(int nodes) : n(nodes), values(static_cast<std::size_t>(nodes) * static_cast<std::size_t>(nodes)) {}
+    explicit node_grid(int nodes)
+        : n(nodes), values(static_cast<std::size_t>(nodes) * static_cast<std::size_t>(nodes)) {}
 
     T& at(int column, int row) { return values[index(column, row)]; }
 
     T operator()(const T& x, const T& y) const {
         const T last = static_cast<T>(n - 1);
-        const T px = smaller(larger(T(0), x), T(1)) * last, py = smaller(larger(T(0), y), T(1)) * last;  // in this order a NaN is 0
+        // in this order a NaN is 0
+        const T px = smaller(larger(T(0), x), T(1)) * last, py = smaller(larger(T(0), y), T(1)) * last;
         const int column = (std::min)(static_cast<int>(px), n - 2), row = (std::min)(static_cast<int>(py), n - 2);
         const T tx = px - T(column), ty = py - T(row);
         const T* low = &values[index(column, row)];
@@ -32,9 +34,9 @@ private:
     std::vector<T> values;
 };
 
-/// Table axes. Rows: the fourth root of alpha. Columns of E: its structure lies in mu/alpha at grazing and in mu elsewhere,
-/// x = q (1 + k r)/(q + k r), q = sqrt(mu), r = sqrt(alpha), which tends to a function of mu/alpha where both are small.
-/// Columns of the scale: the fourth root of mu.
+/// Table axes. Rows: the fourth root of alpha. Columns of E: its structure lies in mu/alpha at grazing and in mu
+/// elsewhere, x = q (1 + k r)/(q + k r), q = sqrt(mu), r = sqrt(alpha), which tends to a function of mu/alpha where
+/// both are small. Columns of the scale: the fourth root of mu.
 template <scalar T>
 struct dfg_axes {
     static constexpr T k = T(1.5);
@@ -52,7 +54,8 @@ struct dfg_axes {
 
 }  // namespace detail
 
-/// scale and bias of isotropic GGX, read from a node-centred table; the type remembers the masking that it was baked for.
+/// scale and bias of isotropic GGX, read from a node-centred table; the type remembers the masking that it was baked
+/// for.
 /// Domain: cosine = cos(theta_v) in [0,1], alpha in (0,1]; beyond it the edge answers. Scalar types only.
 /// Error against `dfg_exact`, 32 x 32: scale and bias 3.5e-3 at most, 8e-4 rms; E = scale + bias 1.5e-3, 4e-4 rms.
 template <scalar T, class Masking>
@@ -93,11 +96,14 @@ dfg_table<T, Masking> bake_dfg(const Masking& masking_model, const dfg_table_opt
         const microfacet lobe{ggx{alpha<W>(a)}, masking_model, detail::schlick_terms{}};
         const W grazing = a * W(1e-6);  // house: a point of the table, mu = 0 to the eye of E
         const vec3<W> v = detail::view_at(larger(mu, grazing));
-        return detail::hemisphere_integral_at([&](const vec3<W>& l) { return lobe.f_cos(v, l); }, v, lobe.width(), true, options.order);
+        return detail::hemisphere_integral_at([&](const vec3<W>& l) { return lobe.f_cos(v, l); }, v, lobe.width(), true,
+                                              options.order);
     };
     dfg_table<T, Masking> table(options.size);
     for (int row = 0; row <= last; ++row) {
-        const W y = W(row) / W(last), r = larger(y * y, W(0.01)), a = r * r;  // house: a node of the table, alpha = 0 to E's limit
+        const W y = W(row) / W(last);
+        const W r = larger(y * y, W(0.01));  // house: a node of the table, alpha = 0 to E's limit
+        const W a = r * r;
         for (int column = 0; column <= last; ++column) {
             const W x = W(column) / W(last), x2 = x * x;
             const vec2<W> at_warped = terms(smaller(detail::dfg_axes<W>::mu(x, r), W(1)), a);

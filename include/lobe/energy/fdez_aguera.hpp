@@ -12,18 +12,19 @@ struct ibl_weights {
     S radiance, irradiance;
 };
 
-/// Fdez-Aguera 2019, "A Multiple-Scattering Microfacet Model for Real-Time Image Based Lighting", eq. 16-18 (the equations;
-/// the published listing counts the grazing Fresnel twice).
-///   FssEss = F0 scale + F90 bias,  Ems = 1 - (scale + bias),  Fms = FssEss Favg / (1 - Favg Ems),  Favg = (20 F0 + F90)/21
+/// Fdez-Aguera 2019, "A Multiple-Scattering Microfacet Model for Real-Time Image Based Lighting", eq. 16-18 (the
+/// equations; the published listing counts the grazing Fresnel twice).
+///   FssEss = F0 scale + F90 bias,  Ems = 1 - (scale + bias),  Fms = FssEss Favg / (1 - Favg Ems),  Favg = (20 F0 +
+///   F90)/21
 ///   conductor:  radiance = FssEss,  irradiance = Fms Ems
 ///   dielectric: ... + albedo (1 - FssEss - Fms Ems): what the specular lobe leaves, reflected by a diffuse base
-/// `irradiance` means irradiance/pi, as irradiance maps store it. F0, albedo in [0,1], linear; F90 as in `schlick`: 1 for `fdez_aguera{}`,
-/// a spectrum for `fdez_aguera{F90}`.
-/// Not reciprocal: at F0 = 0.9, alpha 0.5, by 30 % for cosines from 0.1, 40 % from 0.05, more at larger alpha.
-/// Albedo against the random walk, mu from 0.05, alpha from 0.1: within 0.020, 0.021, 0.042, 0.060 at F0 = 0.04, 0.2, 0.5, 0.9.
-/// Darker where smooth surfaces are seen at grazing angles, whose later bounces reflect far more than Favg: at F0 = 0.04 by 0.062
-/// at roughness 0.02, mu = 0.001, by 0.074 at mu = alpha = 0.01, by 0.099 as mu = alpha vanishes (0.084, 0.054 at F0 = 0.2, 0.5).
-/// S also needs a division.
+/// `irradiance` means irradiance/pi, as irradiance maps store it. F0, albedo in [0,1], linear; F90 as in `schlick`: 1
+/// for `fdez_aguera{}`, a spectrum for `fdez_aguera{F90}`.
+/// Not reciprocal: at F0 = 0.9, alpha 0.5, by 30 % for cosines from 0.1, 40 % from 0.05, more at larger alpha. Albedo
+/// against the random walk, mu from 0.05, alpha from 0.1: within 0.020, 0.021, 0.042, 0.060 at F0 = 0.04, 0.2, 0.5,
+/// 0.9. Darker where smooth surfaces are seen at grazing angles, whose later bounces reflect far more than Favg: at F0
+/// = 0.04 by 0.062 at roughness 0.02, mu = 0.001, by 0.074 at mu = alpha = 0.01, by 0.099 as mu = alpha vanishes
+/// (0.084, 0.054 at F0 = 0.2, 0.5). S also needs a division.
 template <class F90 = unit>
 class fdez_aguera {
 public:
@@ -38,7 +39,8 @@ public:
     }
 
     template <class S, scalar T>
-    constexpr ibl_weights<S> operator()(const dfg_terms<T>& t, const S& F0, const std::type_identity_t<S>& albedo) const {
+    constexpr ibl_weights<S> operator()(const dfg_terms<T>& t, const S& F0,
+                                        const std::type_identity_t<S>& albedo) const {
         const ibl_weights<S> specular = (*this)(t, F0);
         return {specular.radiance, specular.irradiance + albedo * (S(T(1)) - specular.radiance - specular.irradiance)};
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lobe/core/spectrum.hpp>
+#include <lobe/numeric/gauss_legendre.hpp>
 
 #include <algorithm>
 #include <array>
@@ -13,8 +14,9 @@
 
 namespace lobe {
 
-/// An integral, an estimate of its error, and what it cost. Converts to the value. The estimate is no bound: of 100 random integrals one
-/// may be off by more. Usually it is far too large. It counts the roundings in T of g and of the directions it is asked at.
+/// An integral, an estimate of its error, and what it cost. Converts to the value. The estimate is no bound: of 100
+/// random integrals one may be off by more. Usually it is far too large. It counts the roundings in T of g and of the
+/// directions it is asked at.
 template <class S, class T>
 struct estimate {
     S value;
@@ -23,46 +25,18 @@ struct estimate {
     constexpr operator const S&() const { return value; }
 };
 
-/// How hard to try. With `order = 0` the order goes 8, 12, 16, 24, 32, ... until the error is at most `tolerance` (absolute; before the
-/// roundings in T), or the order 192. Otherwise the value is that of this order. In both cases the error is 4 times the distance to the
-/// farther of two lower orders, 3/4 and 1/2 of it: one alone can agree by accident.
-/// An order n costs 2 n^2 evaluations for a view in the plane of symmetry of an isotropic BRDF, 4 n^2 for any other, and with the two
-/// lower ones 1.8 times that; with a critical angle, 2 to 5 times more.
+/// How hard to try. With `order = 0` the order goes 8, 12, 16, 24, 32, ... until the error is at most `tolerance`
+/// (absolute; before the roundings in T), or the order 192. Otherwise the value is that of this order. In both cases
+/// the error is 4 times the distance to the farther of two lower orders, 3/4 and 1/2 of it: one alone can agree by
+/// accident.
+/// An order n costs 2 n^2 evaluations for a view in the plane of symmetry of an isotropic BRDF, 4 n^2 for any other,
+/// and with the two lower ones 1.8 times that; with a critical angle, 2 to 5 times more.
 struct quadrature {
     double tolerance = 1e-6;  // house: asked of the result, part of no formula
     int order = 0;
 };
 
 namespace detail {
-
-/// Gauss-Legendre nodes and weights on [0,1], by Newton's method from Tricomi's first guess. Scalar types only.
-template <scalar T>
-struct gauss_legendre {
-    std::vector<T> x, w;
-
-    explicit gauss_legendre(int n) : x(static_cast<std::size_t>(n)), w(static_cast<std::size_t>(n)) {
-        using std::abs;
-        for (int i = 0; i < (n + 1) / 2; ++i) {
-            T z(std::cos(3.141592653589793 * (i + 0.75) / (n + 0.5)));
-            T slope(0), step(1);
-            for (int iteration = 0; iteration < 50 && abs(step) > T(2) * std::numeric_limits<T>::epsilon(); ++iteration) {
-                T p(1), previous(0);
-                for (int k = 0; k < n; ++k) {
-                    const T next = z * p + (z * p - previous) * (T(k) / T(k + 1));
-                    previous = p;
-                    p = next;
-                }
-                slope = T(n) * (z * p - previous) / (z * z - T(1));
-                step = p / slope;
-                z -= step;
-            }
-            const auto low = static_cast<std::size_t>(i), high = static_cast<std::size_t>(n - 1 - i);
-            x[low] = (T(1) - z) / T(2);
-            x[high] = (T(1) + z) / T(2);
-            w[low] = w[high] = T(1) / ((T(1) - z * z) * slope * slope);
-        }
-    }
-};
 
 /// The size of a spectrum, for comparing: its largest component.
 template <scalar T>
@@ -100,7 +74,8 @@ struct converged {
     int order;
 };
 
-/// The value at an order, with the error that `quadrature` describes: at the order asked for, or at the first that meets the tolerance.
+/// The value at an order, with the error that `quadrature` describes: at the order asked for, or at the first that
+/// meets the tolerance.
 template <class W, class AtOrder>
 auto converge(const AtOrder& at_order, const quadrature& options, int last) {
     int order = options.order ? options.order : 16;
@@ -115,27 +90,32 @@ auto converge(const AtOrder& at_order, const quadrature& options, int last) {
     return converged<decltype(value), W>{value, error(), order};
 }
 
-/// What a value may be off by because g is rounded to T, and because the direction l is: by u, which shifts the half vector by u/mu slopes,
-/// at random, so that its effect on a lobe of that width goes down with the root of the evaluations. Measured, in units of what is in
-/// the bracket and epsilon |value|: 1 at most for most models, for all 3.5.
+/// What a value may be off by because g is rounded to T, and because the direction l is: by u, which shifts the half
+/// vector by u/mu slopes, at random, so that its effect on a lobe of that width goes down with the root of the
+/// evaluations. Measured, in units of what is in the bracket and epsilon |value|: 1 at most for most models, for all
+/// 3.5.
 template <class T, class S>
 auto rounding(const S& value, const wide_t<T>& width_times_mu, int order) {
     using W = wide_t<T>;
-    return W(4) * W(std::numeric_limits<T>::epsilon()) * W(magnitude(value)) * (W(1) + W(1) / (width_times_mu * W(order)));
+    return W(4) * W(std::numeric_limits<T>::epsilon()) * W(magnitude(value)) *
+           (W(1) + W(1) / (width_times_mu * W(order)));
 }
 
-/// A node x of [0,1] as one of a piece of a longer range: nodes crowd towards the end at 0 like a cube, and towards the other like a
-/// square where the range goes on there.
+/// A node x of [0,1] as one of a piece of a longer range: nodes crowd towards the end at 0 like a cube, and towards the
+/// other like a square where the range goes on there.
 template <class W>
 struct crowded {
     W at, slope;
     crowded(const W& x, bool goes_on)
-        : at(x * x * x * (goes_on ? W(4) - W(3) * x : W(1))), slope(W(3) * x * x * (goes_on ? W(4) - W(4) * x : W(1))) {}
+        : at(x * x * x * (goes_on ? W(4) - W(3) * x : W(1))), slope(W(3) * x * x * (goes_on ? W(4) - W(4) * x : W(1))) {
+    }
 };
 
-/// Where each quarter of the circle is cut, as angles delta from the azimuth at which the horizon bends. See `hemisphere_integral_at`.
+/// Where each quarter of the circle is cut, as angles delta from the azimuth at which the horizon bends. See
+/// `hemisphere_integral_at`.
 template <class W>
-std::array<std::vector<W>, 4> azimuths_of(const std::vector<W>& creases, const vec3<W>& v, const vec2<W>& width, const vec2<W>& toward) {
+std::array<std::vector<W>, 4> azimuths_of(const std::vector<W>& creases, const vec3<W>& v, const vec2<W>& width,
+                                          const vec2<W>& toward) {
     using std::abs, std::atan2, std::sqrt;
     std::array<std::vector<W>, 4> deltas;
     for (auto& quarter : deltas) quarter.push_back(W(0));
@@ -150,7 +130,8 @@ std::array<std::vector<W>, 4> azimuths_of(const std::vector<W>& creases, const v
     };
     if (s > W(0))
         for (const W& c : creases) {
-            const W h = W(2) * c * c - W(1), out = h / s;  // v.l on the circle, and of an l on the horizon the part along v
+            // v.l on the circle, and of an l on the horizon the part along v
+            const W h = W(2) * c * c - W(1), out = h / s;
             add(-(s + out), W(1) - out * out);
             const W q = (c - v.z) * (c + v.z);  // n outside of the circle: rays touch it
             if (q > W(0)) add(-sqrt(q), s * s - q);
@@ -173,8 +154,8 @@ void add_slopes(std::vector<W>& slopes, const W& c, const W& vz, const W& p, con
         if (r > W(0) && r < r_max) slopes.push_back(r);
 }
 
-/// int g(l) dl over the hemisphere, at one order. l = reflect(v, m), dl = 4 (v.m) dm, and m runs over slopes
-/// r (wx cos phi, wy sin phi), with r = tan(chi) and t = tan(chi/2) the variable, out to where l meets the horizon. In the polar
+/// int g(l) dl over the hemisphere, at one order. l = reflect(v, m), dl = 4 (v.m) dm, and m runs over slopes r (wx cos
+/// phi, wy sin phi), with r = tan(chi) and t = tan(chi/2) the variable, out to where l meets the horizon. In the polar
 /// coordinates of slopes that is a circle, so the limit is exact:
 ///   r_max = 1/(b + sqrt(b^2 + |d|^2)),  d = (wx cos phi, wy sin phi),  b = d.(v.x, v.y)/v.z.
 /// r_max bends sharply where b = 0, at two azimuths, so each quarter of the circle starts there and its nodes crowd
@@ -182,11 +163,11 @@ void add_slopes(std::vector<W>& slopes, const W& c, const W& vz, const W& p, con
 /// the fourth power instead of the second because it takes the error at order 32 from 3e-6 to 2e-8.
 /// `mirrored`: g is even in the azimuth around the plane of v and n, so two quarters do for four.
 ///
-/// `creases`: cosines v.m = c at which g has a kink, or the root of a total reflection. Both variables are cut there, so that each piece is
-/// smooth: the slopes along a ray where
+/// `creases`: cosines v.m = c at which g has a kink, or the root of a total reflection. Both variables are cut there,
+/// so that each piece is smooth: the slopes along a ray where
 ///   v.m = c:  (p^2 - c^2 |d|^2) r^2 - 2 v.z p r + q = 0,  p = d.(v.x, v.y),  q = v.z^2 - c^2,
-/// with nodes that crowd like the root on both sides of a cut; the azimuths where a ray touches that circle, and those where it meets the
-/// horizon.
+/// with nodes that crowd like the root on both sides of a cut; the azimuths where a ray touches that circle, and those
+/// where it meets the horizon.
 template <class T, class G>
 auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, bool mirrored, int order,
                             const std::vector<wide_t<T>>& creases = {}) {
@@ -197,7 +178,8 @@ auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, 
     const gauss_legendre<W> rule(order);
     const W wx = W(width.x), wy = W(width.y), vx = W(v.x), vy = W(v.y), vz = W(v.z);
     const W bx = wx * vx / vz, by = wy * vy / vz, b_max = sqrt(bx * bx + by * by);
-    const W toward_x = b_max > W(0) ? bx / b_max : W(1), toward_y = b_max > W(0) ? by / b_max : W(0);  // azimuth of v, stretched
+    // azimuth of v, stretched
+    const W toward_x = b_max > W(0) ? bx / b_max : W(1), toward_y = b_max > W(0) ? by / b_max : W(0);
     const auto azimuths = azimuths_of(creases, vec3<W>{vx, vy, vz}, vec2<W>{wx, wy}, vec2<W>{toward_x, toward_y});
 
     struct ring_node {
@@ -218,9 +200,11 @@ auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, 
             for (int i = 0; i < order; ++i) {
                 const W range = deltas[k + 1] - deltas[k];
                 const crowded<W> node(rule.x[static_cast<std::size_t>(i)], k + 2 < deltas.size());
-                const W delta = deltas[k] + range * node.at, d_phi = rule.w[static_cast<std::size_t>(i)] * range * node.slope;
+                const W delta = deltas[k] + range * node.at,
+                        d_phi = rule.w[static_cast<std::size_t>(i)] * range * node.slope;
                 const W cosine = quarter % 2 ? -sin(delta) : sin(delta), sine = quarter / 2 ? -cos(delta) : cos(delta);
-                const W dx = wx * (cosine * toward_x - sine * toward_y), dy = wy * (cosine * toward_y + sine * toward_x);
+                const W dx = wx * (cosine * toward_x - sine * toward_y),
+                        dy = wy * (cosine * toward_y + sine * toward_x);
                 const W d2 = dx * dx + dy * dy, b = b_max * cosine, root = sqrt(b * b + d2);
                 const W r_max = b > W(0) ? W(1) / (b + root) : (root - b) / d2;
                 slopes.clear();
@@ -236,7 +220,8 @@ auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, 
                         const W mz2 = W(1) / (W(1) + d2 * r * r);  // m = (-r dx, -r dy, 1) sqrt(mz2)
                         const W a = vz - r * (dx * vx + dy * vy);  // v.m / m.z
                         const W dm = wx * wy * r * (W(1) + r * r) * mz2 * sqrt(mz2) * d_chi * d_phi;
-                        const vec3<T> l(T(-W(2) * a * mz2 * r * dx - vx), T(-W(2) * a * mz2 * r * dy - vy), T(W(2) * a * mz2 - vz));
+                        const vec3<T> l(T(-W(2) * a * mz2 * r * dx - vx), T(-W(2) * a * mz2 * r * dy - vy),
+                                        T(W(2) * a * mz2 - vz));
                         total = total + S(g(l)) * (W(4) * a * sqrt(mz2) * dm);
                     }
                     from = to;
@@ -249,15 +234,17 @@ auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, 
 
 }  // namespace detail
 
-/// int g(l) dl over the upper hemisphere, for a g that follows reflections from v by a surface whose slopes have the scale
-/// `width`: f_cos, a pdf, each times anything smooth. Unit v above the horizon. Scalar types only.
-/// `creases`: the cosines v.m in (0,1) at which g has a kink, m the half vector: critical angles. The nodes are cut there.
+/// int g(l) dl over the upper hemisphere, for a g that follows reflections from v by a surface whose slopes have the
+/// scale `width`: f_cos, a pdf, each times anything smooth. Unit v above the horizon. Scalar types only.
+/// `creases`: the cosines v.m in (0,1) at which g has a kink, m the half vector: critical angles. The nodes are cut
+/// there.
 template <scalar T, class G>
-auto hemisphere_integral(const G& g, const vec3<T>& v, const vec2<T>& width, bool mirrored, const quadrature& options = {},
-                         const std::vector<detail::wide_t<T>>& creases = {}) {
+auto hemisphere_integral(const G& g, const vec3<T>& v, const vec2<T>& width, bool mirrored,
+                         const quadrature& options = {}, const std::vector<detail::wide_t<T>>& creases = {}) {
     using S = decltype(g(v));
     using W = detail::wide_t<T>;
-    assert(v.z > T(0) && width.x > T(0) && width.y > T(0) && "hemisphere_integral: v must be above the horizon, widths above 0");
+    assert(v.z > T(0) && width.x > T(0) && width.y > T(0) &&
+           "hemisphere_integral: v must be above the horizon, widths above 0");
     assert((options.order == 0 || options.order >= 2) && "hemisphere_integral: order must be at least 2, or 0");
     int evaluations = 0;
     const auto at_order = [&](int order) {

@@ -8,28 +8,29 @@
 namespace lobe {
 
 /// Heitz, Hanika, d'Eon, Dachsbacher 2016, "Multiple-Scattering Microfacet BSDFs with the Smith Model", section 4 and
-/// algorithm 1: a ray enters a surface whose heights and normals are uncorrelated, is reflected by visible normals until
-/// it escapes, and is weighted with F at each bounce. It needs no table and no assumption beyond Smith's; its first
-/// bounce is `smith_correlated`. Scalar types only.
+/// algorithm 1: a ray enters a surface whose heights and normals are uncorrelated, is reflected by visible normals
+/// until it escapes, and is weighted with F at each bounce. It needs no table and no assumption beyond Smith's; its
+/// first bounce is `smith_correlated`. Scalar types only.
 template <visibly_samplable_distribution N, class F>
 class random_walk {
     using T = typename N::scalar;
     using S = decltype(std::declval<const F&>()(std::declval<const T&>()));
 
 public:
-    /// Direction in which the light leaves (or, read backwards, comes from), the product of the Fresnel reflectances, the number of
-    /// bounces. E[weight] over l in a solid angle is int f cos(theta_l) dl over it.
+    /// Direction in which the light leaves (or, read backwards, comes from), the product of the Fresnel reflectances,
+    /// the number of bounces. E[weight] over l in a solid angle is int f cos(theta_l) dl over it.
     struct path {
         vec3<T> l;
         S weight;
         int order;
     };
 
-    constexpr random_walk(const N& distribution_of_normals, const F& reflectance) : ndf(distribution_of_normals), fresnel(reflectance) {}
+    constexpr random_walk(const N& distribution_of_normals, const F& reflectance)
+        : ndf(distribution_of_normals), fresnel(reflectance) {}
 
     /// v: unit, above the horizon. `uniform()`: independent numbers in [0,1), three a bounce.
-    /// `first` may be given to take the first facet from a point set. A walk of 1000 bounces (the longest of 4e9 had 14)
-    /// is given up: weight 0.
+    /// `first` may be given to take the first facet from a point set. A walk of 1000 bounces (the longest of 4e9 had
+    /// 14) is given up: weight 0.
     template <class Uniform>
     constexpr path sample(const vec3<T>& v, Uniform&& uniform) const {
         return sample(v, vec2<T>{T(uniform()), T(uniform())}, uniform);

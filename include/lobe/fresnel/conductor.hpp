@@ -2,39 +2,26 @@
 #pragma once
 
 #include <lobe/core/spectrum.hpp>
+#include <lobe/numeric/gauss_legendre.hpp>
 
 #include <cassert>
 
 namespace lobe {
 
-namespace detail {
-
-/// Gauss-Legendre nodes z > 0 and weights on [-1,1], 32 points. Abramowitz & Stegun, table 25.4.
-struct gauss_32 {
-    double z[16] = {0.04830766568773831623, 0.1444719615827964935, 0.2392873622521370745, 0.3318686022821276498,
-                    0.4213512761306353454, 0.50689990893222939, 0.587715757240762329, 0.663044266930215201,
-                    0.7321821187402896804, 0.794483795967942407, 0.8493676137325699701, 0.896321155766052124,
-                    0.9349060759377396892, 0.9647622555875064308, 0.9856115115452683354, 0.9972638618494815635};
-    double w[16] = {0.09654008851472780057, 0.09563872007927485942, 0.09384439908080456564, 0.09117387869576388471,
-                    0.08765209300440381114, 0.08331192422694675522, 0.07819389578707030647, 0.07234579410884850623,
-                    0.06582222277636184684, 0.05868409347853554715, 0.0509980592623761762, 0.04283589802222668066,
-                    0.0342738629130214331, 0.02539206530926205946, 0.01627439473090567061, 0.0070186100094700966};
-};
-
-}  // namespace detail
-
 /// With c = v.h, s^2 = 1 - c^2 and (a + i b)^2 = (eta + i k)^2 - s^2, which makes a b = eta k:
 ///   Rs = N/(N + 4 a c),          N = (a - c)^2 + b^2            (so the denominator is (a + c)^2 + b^2)
 ///   Rp = Rs M/(M + 4 a c s^2),   M = (a c - s^2)^2 + b^2 c^2,   F = (Rs + Rp)/2
 /// Born & Wolf, "Principles of Optics", 14.2; Lagarde 2013, "Memo on Fresnel equations". Of a^2 and b^2 the larger is
-/// computed and the smaller is (eta k)^2 over it; a - c is (a^2 - c^2)/(a + c). So nothing cancels, and k = 0 is `dielectric`.
-/// eta, k relative to the medium outside (under a coat of index n: eta/n, k/n); one number each, or vec3 for three wavelengths.
-/// Domain: eta in [0.001, 1e9], k in [0, 1e9] (fourth powers have to fit; a perfect mirror is `perfect_reflector`); c in [0,1].
-/// Error: metals (k >= 0.5, eta in [0.3,10]) 9 ULP, weaker absorbers 12 for eta in [1,10]. For eta < 1 and k near 0 the critical angle
-/// of `dielectric` shows: 14 ULP at k = 0.1, 80 at 0.01, 300 at 0.001, and at k = 0 as there.
+/// computed and the smaller is (eta k)^2 over it; a - c is (a^2 - c^2)/(a + c). So nothing cancels, and k = 0 is
+/// `dielectric`. eta, k relative to the medium outside (under a coat of index n: eta/n, k/n); one number each, or vec3
+/// for three wavelengths.
+/// Domain: eta in [0.001, 1e9], k in [0, 1e9] (fourth powers have to fit; a perfect mirror is `perfect_reflector`); c
+/// in [0,1].
+/// Error: metals (k >= 0.5, eta in [0.3,10]) 9 ULP, weaker absorbers 12 for eta in [1,10]. For eta < 1 and k near 0 the
+/// critical angle of `dielectric` shows: 14 ULP at k = 0.1, 80 at 0.01, 300 at 0.001, and at k = 0 as there.
 template <class S>
 class conductor {
-    using T = detail::component_t<S>;
+    using T = component_t<S>;
 
 public:
     using scalar = T;
@@ -43,7 +30,8 @@ public:
     constexpr conductor(const S& index, const S& extinction) : eta(index), k(extinction) {
         [[maybe_unused]] const auto large_enough = [](const T& x) { return x >= T(1) / T(1000) && x <= T(1e9f); };
         assert(detail::every(large_enough, eta) && "conductor: eta must be in [1/1000, 1e9]");
-        assert(detail::every([](const T& x) { return x >= T(0) && x <= T(1e9f); }, k) && "conductor: k must be in [0, 1e9]");
+        assert(detail::every([](const T& x) { return x >= T(0) && x <= T(1e9f); }, k) &&
+               "conductor: k must be in [0, 1e9]");
     }
 
     // (Inlined by force: see `by_component`.)
@@ -53,14 +41,15 @@ public:
     }
 
     /// 2 int_0^1 F(u) u du, which has no closed form, by 32 Gauss points: build once, not per pixel.
-    /// Error: 16 ULP where k >= 0.5 or eta >= 1.02. Below both lies the kink of total internal reflection, which Gauss points
-    /// miss by 3e-14 at k = 0.3, 3e-8 at 0.1, 3e-3 at k = 0.01, 0.02 at k = 0: there `dielectric` has the closed form.
+    /// Error: 16 ULP where k >= 0.5 or eta >= 1.02. Below both lies the kink of total internal reflection, which Gauss
+    /// points miss by 3e-14 at k = 0.3, 3e-8 at 0.1, 3e-3 at k = 0.01, 0.02 at k = 0: there `dielectric` has the closed
+    /// form.
     constexpr S average() const {
-        constexpr detail::gauss_32 rule;
+        constexpr gauss_legendre_32 rule;
         S sum(T(0));
         for (int i = 0; i < 16; ++i) {
             const T z = detail::constant<T>(rule.z[i]), low = (T(1) - z) / T(2), high = (T(1) + z) / T(2);
-            sum += ((*this)(low) * low + (*this)(high) * high) * detail::constant<T>(rule.w[i]);
+            sum += ((*this)(low)*low + (*this)(high)*high) * detail::constant<T>(rule.w[i]);
         }
         return sum;
     }
@@ -70,8 +59,8 @@ public:
     constexpr S index() const { return eta; }
     constexpr S extinction() const { return k; }
 
-    /// The cosines where F bends from near 1, each to g, for quadrature to cut there: a^2 - b^2 = 0 at c^2 = 1 - eta^2 + k^2. F's branch
-    /// points lie 2 eta k off it; where they are farther than c^2 F is smooth. Scalar types only.
+    /// The cosines where F bends from near 1, each to g, for quadrature to cut there: a^2 - b^2 = 0 at c^2 = 1 - eta^2
+    /// + k^2. F's branch points lie 2 eta k off it; where they are farther than c^2 F is smooth. Scalar types only.
     template <class G>
     constexpr void for_each_crease(const G& g) const {
         detail::by_component(

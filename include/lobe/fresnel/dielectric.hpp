@@ -7,18 +7,19 @@ namespace lobe {
 
 /// With c = v.h, s^2 = 1 - c^2 and g = sqrt(eta^2 - s^2):
 ///   Rs = ((g - c)/(g + c))^2,  Rp = Rs ((g c - s^2)/(g c + s^2))^2,  F = (Rs + Rp)/2,  and F = 1 where g is not real.
-/// Cook & Torrance 1982 and Walter et al. 2007, eq. 22, with (g - c)/(g + c) = e/(g + c)^2, e = eta^2 - 1, and
-/// (g + c)^2 = e + 2 (c^2 + g c): nothing cancels near eta = 1, and towards grazing it is 1 - 2 c/g, whatever the rounding of c/g.
+/// Cook & Torrance 1982 and Walter et al. 2007, eq. 22, with (g - c)/(g + c) = e/(g + c)^2, e = eta^2 - 1, and (g +
+/// c)^2 = e + 2 (c^2 + g c): nothing cancels near eta = 1, and towards grazing it is 1 - 2 c/g, whatever the rounding
+/// of c/g.
 /// eta: index on the far side over that on the side of v (> 1 from air into glass, < 1 from inside: total internal
-/// reflection), one number or vec3 (dispersion). Domain: eta > 0 whose square is finite; c in [0,1]. At c = 0 every eta reflects all,
-/// eta = 1 included.
-/// Error: 12 ULP for eta in (1,10], in float and in double: the worst found is 11.5, near eta = 1; 7.1 at 1.5, 5.8 at 2.5. For eta in
-/// [0.3,1) 12 ULP and, near the critical angle, where F leaves 1 like a square root, 1.5 times what a change of eta and c by one ULP
-/// each does. Below 0.3 that angle nears the normal, and e + c^2 rounds as much over eta^2: at c = 1 F is off by up to 6/eta roundings
-/// (float, eta = 1e-3: 3.6e-4).
+/// reflection), one number or vec3 (dispersion).
+/// Domain: eta > 0 whose square is finite; c in [0,1]. At c = 0 every eta reflects all, eta = 1 included.
+/// Error: 12 ULP for eta in (1,10], in float and in double: the worst found is 11.5, near eta = 1; 7.1 at 1.5, 5.8 at
+/// 2.5. For eta in [0.3,1) 12 ULP and, near the critical angle, where F leaves 1 like a square root, 1.5 times what a
+/// change of eta and c by one ULP each does. Below 0.3 that angle nears the normal, and e + c^2 rounds as much over
+/// eta^2: at c = 1 F is off by up to 6/eta roundings (float, eta = 1e-3: 3.6e-4).
 template <class S>
 class dielectric {
-    using T = detail::component_t<S>;
+    using T = component_t<S>;
 
 public:
     using scalar = T;
@@ -36,7 +37,8 @@ public:
         return detail::by_component([&](const T& n) { return reflectance(n, c); }, eta);
     }
 
-    /// 2 int_0^1 F(u) u du in closed form. Walsh 1926, "The reflection factor of a polished glass surface for diffused light".
+    /// 2 int_0^1 F(u) u du in closed form. Walsh 1926, "The reflection factor of a polished glass surface for diffused
+    /// light".
     /// Error: 16 ULP for every eta, from inside 3.
     constexpr S average() const {
         return detail::by_component([](const T& n) { return average_reflectance(n); }, eta);
@@ -78,8 +80,8 @@ private:
         return select(real, rs * rs * (T(1) + p * p) / T(2), T(1));
     }
 
-    /// Walsh's equation has poles at n = 1 that cancel. Written in x = |n - 1|/(n + 1) they cancel by algebra, and what is
-    /// left of ln n = 2 atanh x is a(x) = (atanh x - x)/x^3 = 1/3 + x^2/5 + x^4/7 + ...:
+    /// Walsh's equation has poles at n = 1 that cancel. Written in x = |n - 1|/(n + 1) they cancel by algebra, and what
+    /// is left of ln n = 2 atanh x is a(x) = (atanh x - x)/x^3 = 1/3 + x^2/5 + x^4/7 + ...:
     ///   F_avg = x/(12 (1+x^2)^3) [ Q(x) + 3 (1+x)^4 (1-x)^2 (1 + 6 x^2 + x^4) a(x) + 24 x (1+x)^2 ln x ]
     ///   Q(x) = 7 + 44 x - 24 x^3 + 6 x^4 + 36 x^5 + 16 x^6 + 8 x^7 + 3 x^8
     /// From inside, F_avg(n) = 1 - n^2 (1 - F_avg(1/n)).
@@ -89,13 +91,15 @@ private:
         const T x = select(inside, T(1) - n, n - T(1)) / (n + T(1));
         const T x2 = x * x;
         T series(0);  // for x < 1/2, where a term has 2 bits
-        for (int k = detail::digits<T>() / 2 + 1; k >= 0; --k) series = T(1) / detail::constant<T>(2 * k + 3) + x2 * series;
+        for (int k = detail::digits<T>() / 2 + 1; k >= 0; --k)
+            series = T(1) / detail::constant<T>(2 * k + 3) + x2 * series;
         const T ln = log(n);
         const auto far_from_1 = x2 > T(1) / T(4);
         const T a = select(far_from_1, quotient(far_from_1, select(inside, -ln, ln) / T(2) - x, x2 * x), series);
         const T h = T(1) + x2, up = (T(1) + x) * (T(1) + x), down = (T(1) - x) * (T(1) - x);
         const T Q = T(7) + x * (T(44) + x2 * (T(-24) + x * (T(6) + x * (T(36) + x * (T(16) + x * (T(8) + x * T(3)))))));
-        const T bracket = Q + T(3) * up * up * down * (T(1) + x2 * (T(6) + x2)) * a + T(24) * x * up * log(select(x > T(0), x, T(1)));
+        const T bracket =
+            Q + T(3) * up * up * down * (T(1) + x2 * (T(6) + x2)) * a + T(24) * x * up * log(select(x > T(0), x, T(1)));
         const T outside = x / (T(12) * h * h * h) * bracket;
         return select(inside, (T(1) - n) * (T(1) + n) + n * n * outside, outside);
     }

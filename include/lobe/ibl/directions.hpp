@@ -6,8 +6,8 @@
 
 namespace lobe {
 
-// Lat-long (equirectangular) maps, y up: u = 1/2 + atan2(z, x)/(2 pi) runs around the equator, v = acos(y)/pi from the zenith
-// (v = 0) to the nadir (v = 1). The middle of the picture looks along +x.
+// Lat-long (equirectangular) maps, y up: u = 1/2 + atan2(z, x)/(2 pi) runs around the equator, v = acos(y)/pi from the
+// zenith (v = 0) to the nadir (v = 1). The middle of the picture looks along +x.
 
 /// Unit direction to (u, v): u in [0,1), v in [0,1], 1 at the nadir.
 template <scalar T>
@@ -28,7 +28,8 @@ constexpr vec3<T> latlong_direction(const vec2<T>& uv) {
 }
 
 /// The exact solid angle of a texel in row `row` of a width x height map, in sr:
-/// (2 pi/width) (cos theta_top - cos theta_bottom) = (4 pi/width) sin(theta_mid) sin(pi/(2 height)). They add up to 4 pi.
+/// (2 pi/width) (cos theta_top - cos theta_bottom) = (4 pi/width) sin(theta_mid) sin(pi/(2 height)). They add up to 4
+/// pi.
 template <scalar T>
 constexpr T latlong_texel_solid_angle(int row, int width, int height) {
     const T middle = (T(row) + T(0.5)) / T(height);

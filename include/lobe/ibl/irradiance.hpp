@@ -14,8 +14,8 @@
 
 namespace lobe {
 
-/// Irradiance/pi at the normal n: the mean radiance over the hemisphere, weighted with the cosine, which is what a white
-/// Lambertian surface sends back, and what irradiance maps store. Multiply by pi for the irradiance.
+/// Irradiance/pi at the normal n: the mean radiance over the hemisphere, weighted with the cosine, which is what a
+/// white Lambertian surface sends back, and what irradiance maps store. Multiply by pi for the irradiance.
 /// `environment`: any callable from a unit world direction to a radiance. n: unit, world space.
 /// Error: that of `count` >= 1 cosine-distributed Hammersley points; none for a constant environment.
 template <scalar T, class Environment>
@@ -31,18 +31,21 @@ constexpr auto irradiance(const Environment& environment, const vec3<T>& n, std:
     return S(total * (W(1) / W(count)));
 }
 
-/// The same from every texel of a lat-long image, with its solid angle: no sun is missed. Texels of images coarser than 128 x 64 are cut
-/// into parts until the parts are as small. Cost: width x height, at least 8192 parts, a normal.
+/// The same from every texel of a lat-long image, with its solid angle: no sun is missed. Texels of images coarser than
+/// 128 x 64 are cut into parts until the parts are as small. Cost: width x height, at least 8192 parts, a normal.
 /// Error: of the midpoint rule over the parts, 2e-4 of the brightest texel; none for a constant image.
 template <scalar T>
 vec3<T> irradiance(const latlong<T>& environment, const vec3<T>& n) {
     using W = detail::wide_t<T>;
-    const int width = environment.width, across = (128 + width - 1) / width, down = (64 + environment.height - 1) / environment.height;
-    // The directions of the first parts of all columns, then of the second ones, ...; those of a row are these, tilted by v.
+    const int width = environment.width, across = (128 + width - 1) / width,
+              down = (64 + environment.height - 1) / environment.height;
+    // The directions of the first parts of all columns, then of the second ones, ...; those of a row are these, tilted
+    // by v.
     std::vector<vec3<T>> equator;
     for (int part = 0; part < across; ++part)
         for (int column = 0; column < width; ++column)
-            equator.push_back(latlong_direction(vec2<T>{(T(column * across + part) + T(0.5)) / T(width * across), T(0.5)}));
+            equator.push_back(
+                latlong_direction(vec2<T>{(T(column * across + part) + T(0.5)) / T(width * across), T(0.5)}));
     vec3<W> total(W(0));
     W weights(0);
     for (int row = 0; row < environment.height * down; ++row) {
@@ -56,7 +59,8 @@ vec3<T> irradiance(const latlong<T>& environment, const vec3<T>& n) {
                 weights += W(weight);
             }
     }
-    if (!(weights > W(0))) return vec3<T>(std::numeric_limits<T>::quiet_NaN());  // no direction is above n: it is one of NaNs
+    // no direction is above n: it is one of NaNs
+    if (!(weights > W(0))) return vec3<T>(std::numeric_limits<T>::quiet_NaN());
     return vec3<T>(total / weights);  // not by pi: a constant environment comes back as it is
 }
 

@@ -17,8 +17,9 @@ class latlong_pyramid;
 
 namespace detail {
 
-/// Where a look-up reads: u of latlong_uv, with 1 in place of 0 on one side of the seam, and the angle from the pole that is nearer, as v
-/// is. In double at least: in float, what 1/pi loses to rounding opens a gap of 2e-5 of a column of 2048 at the seam.
+/// Where a look-up reads: u of latlong_uv, with 1 in place of 0 on one side of the seam, and the angle from the pole
+/// that is nearer, as v is. In double at least: in float, what 1/pi loses to rounding opens a gap of 2e-5 of a column
+/// of 2048 at the seam.
 template <scalar T>
 struct latlong_place {
     wide_t<T> u, v;
@@ -59,25 +60,27 @@ T latlong_window(const T& square, int width) {
 
 }  // namespace detail
 
-/// Radiance on a lat-long image, row by row from the zenith, linear rgb. Called with a unit direction it interpolates linearly in both
-/// angles, around the seam and over the poles, where it is the mean of the row next to them. Between the middles of two rows the lower one
-/// has, at the fraction t of the way, the weight
+/// Radiance on a lat-long image, row by row from the zenith, linear rgb. Called with a unit direction it interpolates
+/// linearly in both angles, around the seam and over the poles, where it is the mean of the row next to them. Between
+/// the middles of two rows the lower one has, at the fraction t of the way, the weight
 ///   t + k t (1 - t) cot theta,  k = h (h - sin h)/(sin h - h cos h),  h = pi/(2 height):
-/// so each texel counts as much as its solid angle, and the look-up has the image's energy: plain bilinear weights, with k = 0, give the
-/// rows at the poles 8% too much. A direction with a NaN in it gets a NaN. Scalar types only.
+/// so each texel counts as much as its solid angle, and the look-up has the image's energy: plain bilinear weights,
+/// with k = 0, give the rows at the poles 8% too much. A direction with a NaN in it gets a NaN. Scalar types only.
 /// The means at the poles are the constructor's: change no pixel afterwards.
-/// Error: of a smooth image, with d = pi/height: d^2/8 of its second derivatives and d^2/16 cot theta of the first; of its energy, 1e-6 in
-/// float, 1e-13 in double; of a constant, none.
+/// Error: of a smooth image, with d = pi/height: d^2/8 of its second derivatives and d^2/16 cot theta of the first; of
+/// its energy, 1e-6 in float, 1e-13 in double; of a constant, none.
 template <scalar T>
 struct latlong {
     int width, height;
     std::vector<vec3<T>> pixels;
 
     /// Precondition: width * height pixels, at least one.
-    latlong(int columns, int rows, std::vector<vec3<T>> radiance) : width(columns), height(rows), pixels(std::move(radiance)) {
+    latlong(int columns, int rows, std::vector<vec3<T>> radiance)
+        : width(columns), height(rows), pixels(std::move(radiance)) {
         using std::cos, std::sin;
         assert(width > 0 && height > 0 && "latlong: an image has at least one pixel");
-        assert(pixels.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) && "latlong: width times height pixels");
+        assert(pixels.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) &&
+               "latlong: width times height pixels");
         zenith = mean_along(0, W(0), W(width));
         nadir = mean_along(height - 1, W(0), W(width));
         const W h = pi<W>() / W(2 * height);
@@ -85,7 +88,8 @@ struct latlong {
     }
 
     const vec3<T>& at(int column, int row) const {
-        return pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
+        return pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(column)];
     }
 
     vec3<T> operator()(const vec3<T>& direction) const {
@@ -107,10 +111,12 @@ private:
 
     /// The same with rows averaged over a window of so many columns, at least one; with one it is the same.
     vec3<T> averaged(const detail::latlong_place<T>& place, const T& columns) const {
-        return over_rows(place, [&](int row) { return mean_along(row, place.u * W(width) - W(columns) / W(2), W(columns)); });
+        return over_rows(place,
+                         [&](int row) { return mean_along(row, place.u * W(width) - W(columns) / W(2), W(columns)); });
     }
 
-    /// `along(row)`: the radiance of a row at the azimuth of the place. Whatever mean over azimuths that is, the energy stays.
+    /// `along(row)`: the radiance of a row at the azimuth of the place. Whatever mean over azimuths that is, the energy
+    /// stays.
     template <class Along>
     vec3<T> over_rows(const detail::latlong_place<T>& place, const Along& along) const {
         const auto row = [&](int from_pole) { return along(place.nadir ? height - 1 - from_pole : from_pole); };
@@ -142,12 +148,13 @@ private:
     T k;
 };
 
-/// A lat-long image and its halvings. Level 0 is the image. A texel of another level is a mean around its middle, under a hat as wide as
-/// two texels, and near the poles over as much more of the row as makes it as wide as high. Called with a direction and a solid angle it
-/// answers with about the mean radiance over that solid angle: what filtered importance sampling asks for.
-/// Every level and every solid angle keep the energy of the image. A solid angle that is 0, below or a NaN gets the image itself.
-/// Error: the mean is as wide as one over a disk of 4 times the solid angle. A sun of one texel, prefiltered for alpha 1 from 1024 samples,
-/// is right to 0.1 of the highlight (rms) near the poles, 0.035 elsewhere.
+/// A lat-long image and its halvings. Level 0 is the image. A texel of another level is a mean around its middle, under
+/// a hat as wide as two texels, and near the poles over as much more of the row as makes it as wide as high. Called
+/// with a direction and a solid angle it answers with about the mean radiance over that solid angle: what filtered
+/// importance sampling asks for. Every level and every solid angle keep the energy of the image. A solid angle that is
+/// 0, below or a NaN gets the image itself.
+/// Error: the mean is as wide as one over a disk of 4 times the solid angle. A sun of one texel, prefiltered for alpha
+/// 1 from 1024 samples, is right to 0.1 of the highlight (rms) near the poles, 0.035 elsewhere.
 template <scalar T>
 class latlong_pyramid {
 public:
@@ -161,14 +168,15 @@ public:
 
     vec3<T> operator()(const vec3<T>& direction) const { return levels.front()(direction); }
 
-    /// Level of detail 1/2 log2(solid_angle / texel), texel = (pi/height)^2, interpolated between levels. Below 0, the image's own rows,
-    /// averaged along as far as the solid angle reaches.
+    /// Level of detail 1/2 log2(solid_angle / texel), texel = (pi/height)^2, interpolated between levels. Below 0, the
+    /// image's own rows, averaged along as far as the solid angle reaches.
     vec3<T> operator()(const vec3<T>& direction, const T& solid_angle) const {
         using std::log2;
         const detail::latlong_place<T> place(direction);
         if (!place.exists()) return vec3<T>(T(place.v));
         const T finest(0), coarsest = static_cast<T>(levels.size() - 1);
-        const T lod = smaller(larger(finest, log2(solid_angle * per_texel) / T(2)), coarsest);  // in this order a NaN is the finest
+        // in this order a NaN is the finest
+        const T lod = smaller(larger(finest, log2(solid_angle * per_texel) / T(2)), coarsest);
         const auto low = static_cast<std::size_t>(lod);
         const auto high = (std::min)(low + 1, levels.size() - 1);
         const vec3<T> fine = low == 0 ? image(place, smaller(solid_angle, texel)) : levels[low].interpolated(place);
@@ -183,11 +191,13 @@ private:
 
     static T square(const T& x) { return x * x; }
 
-    /// The image itself, its rows averaged as far as the solid angle reaches. Read by interpolation, a texel has the variance 1/12 + 1/6 of
-    /// its height squared, x^2/4 of a column; a window, (columns^2 + 2)/12. The missing 1/12 leaves alone texels as wide as high, nearly.
+    /// The image itself, its rows averaged as far as the solid angle reaches. Read by interpolation, a texel has the
+    /// variance 1/12 + 1/6 of its height squared, x^2/4 of a column; a window, (columns^2 + 2)/12. The missing 1/12
+    /// leaves alone texels as wide as high, nearly.
     vec3<T> image(const detail::latlong_place<T>& place, const T& solid_angle) const {
         const latlong<T>& map = levels.front();
-        const T window = detail::latlong_window(T(3) * (detail::latlong_height2(solid_angle, place.sine, map.width) - T(1)), map.width);
+        const T window = detail::latlong_window(
+            T(3) * (detail::latlong_height2(solid_angle, place.sine, map.width) - T(1)), map.width);
         return window > T(1) ? map.averaged(place, window) : map.interpolated(place);
     }
 
@@ -200,7 +210,8 @@ private:
         int coarse;
     };
 
-    /// What part of the interval between two edges each of the coarse ones takes: hats, linear from node to node, integrated.
+    /// What part of the interval between two edges each of the coarse ones takes: hats, linear from node to node,
+    /// integrated.
     static std::vector<share> shares(const std::vector<W>& edges, const std::vector<node>& nodes) {
         std::vector<share> result;
         std::size_t k = 0;
@@ -225,8 +236,8 @@ private:
         return shares(edges, nodes);
     }
 
-    /// In area, 1 - cos theta. The first node is the pole; each edge between two coarse rows is half way between two nodes, so the hats
-    /// hold as much as the rows.
+    /// In area, 1 - cos theta. The first node is the pole; each edge between two coarse rows is half way between two
+    /// nodes, so the hats hold as much as the rows.
     static std::vector<share> row_shares(int fine, int coarse) {
         const auto area = [](int i, int rows) {  // of i rows: 2 sin^2(theta/2)
             const W s = sincos_2pi(W(i) / W(4 * rows)).sin;
@@ -240,8 +251,9 @@ private:
         return shares(edges, nodes);
     }
 
-    /// Half the rows, and half the columns unless that makes texels wider than high; odd numbers rounded down. Each texel is the mean under
-    /// a hat as wide as two: what is bright stays where it is, where the mean over the texel alone would move it to the middle.
+    /// Half the rows, and half the columns unless that makes texels wider than high; odd numbers rounded down. Each
+    /// texel is the mean under a hat as wide as two: what is bright stays where it is, where the mean over the texel
+    /// alone would move it to the middle.
     static latlong<T> halved(const latlong<T>& fine) {
         const int height = fine.height / 2, width = fine.width > 2 * height ? fine.width / 2 : fine.width;
         const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -250,8 +262,8 @@ private:
         const auto columns = column_shares(fine.width, width);
         for (const share& row : row_shares(fine.height, height))
             for (const share& column : columns) {
-                const auto i =
-                    static_cast<std::size_t>(row.coarse) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column.coarse);
+                const auto i = static_cast<std::size_t>(row.coarse) * static_cast<std::size_t>(width) +
+                               static_cast<std::size_t>(column.coarse);
                 const W weight = row.weight * column.weight;
                 totals[i] += vec3<W>(fine.at(column.fine, row.fine)) * weight;
                 weights[i] += weight;
@@ -262,14 +274,15 @@ private:
         return {width, height, std::move(pixels)};
     }
 
-    /// Each texel the mean along its row over a window that makes it as wide as high. Its hat and the interpolation have the variance
-    /// 1/6 + 1/6 of its height squared, x^2/3 of a column; with a window, (columns^2 + 3)/12.
+    /// Each texel the mean along its row over a window that makes it as wide as high. Its hat and the interpolation
+    /// have the variance 1/6 + 1/6 of its height squared, x^2/3 of a column; with a window, (columns^2 + 3)/12.
     static latlong<T> squared(const latlong<T>& level) {
         std::vector<vec3<T>> pixels;
         pixels.reserve(level.pixels.size());
         for (int row = 0; row < level.height; ++row) {
             const W sine = sincos_2pi((W(row) + W(0.5)) / W(2 * level.height)).sin, side = pi<W>() / W(level.height);
-            const W columns = detail::latlong_window(W(4) * detail::latlong_height2(side * side, sine, level.width) - W(3), level.width);
+            const W columns = detail::latlong_window(
+                W(4) * detail::latlong_height2(side * side, sine, level.width) - W(3), level.width);
             for (int column = 0; column < level.width; ++column)
                 pixels.push_back(level.mean_along(row, W(column) + (W(1) - columns) / W(2), columns));
         }

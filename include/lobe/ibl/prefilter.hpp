@@ -14,13 +14,14 @@ namespace lobe {
 /// The radiance that a GGX lobe seen head on collects around r: V = N = R, weighted with the cosine to r,
 ///   LD = sum L(l) (r.l) / sum (r.l),  l = reflect(r, m),  m by inverse CDF, pdf(l) = D(m)/4.
 /// Karis 2013, "Real Shading in Unreal Engine 4"; it equals int D L (r.l) dl / int D (r.l) dl.
-/// `environment`: any callable from a unit world direction to a radiance. One that also takes a solid angle in sr gets the
-/// one of the sample, 4/(count pdf), and should return the mean over it: filtered importance sampling (Colbert & Krivanek
-/// 2007, GPU Gems 3, chapter 20, with their bias of one level): far fewer samples, for a blur of that size.
+/// `environment`: any callable from a unit world direction to a radiance. One that also takes a solid angle in sr gets
+/// the one of the sample, 4/(count pdf), and should return the mean over it: filtered importance sampling (Colbert &
+/// Krivanek 2007, GPU Gems 3, chapter 20, with their bias of one level): far fewer samples, for a blur of that size.
 /// r: unit, world space; count >= 1; alpha <= 1, where the first half vector at least reflects upwards.
 /// Error: that of `count` Hammersley points; none for a constant environment.
 template <scalar T, class Environment>
-constexpr auto prefiltered_radiance(const Environment& environment, const vec3<T>& r, const alpha<T>& a, std::uint32_t count) {
+constexpr auto prefiltered_radiance(const Environment& environment, const vec3<T>& r, const alpha<T>& a,
+                                    std::uint32_t count) {
     using S = std::decay_t<decltype(environment(r))>;
     using WS = detail::wide_t<S>;
     using W = detail::wide_t<T>;

@@ -14,15 +14,16 @@ namespace lobe {
 //   spot_light          intensity     candela inside the inner cone
 // A light is called with a point and answers with what arrives there. S: one number or linear rgb.
 
-/// GLM converts float and double vectors into each other without a word. A light that derives from this, and `using`s its
-/// operator, does not. (`Self`: see `exact_vectors`.)
+/// GLM converts float and double vectors into each other without a word. A light that derives from this, and `using`s
+/// its operator, does not. (`Self`: see `exact_vectors`.)
 template <class Self>
 struct exact_points {
     template <class P>
     void operator()(const P&) const = delete;  // convert the point: vec3<T>(p), T the light's scalar
 };
 
-/// What arrives at a point: the unit direction `l` to the light, and the illuminance of a surface that faces it, in lux.
+/// What arrives at a point: the unit direction `l` to the light, and the illuminance of a surface that faces it, in
+/// lux.
 template <class S, scalar T>
 struct incident_light {
     vec3<T> l;
@@ -30,8 +31,8 @@ struct incident_light {
 };
 
 /// L = f(v,l) cos(theta_l) E: the reflectance equation of one light; no integral is left. v, light.l in tangent space.
-/// Lux gives cd/m^2 (W/m^2 gives W/(m^2 sr)), so under E = 1 a white Lambertian surface shows 1/pi: engines that want 1 there put
-/// the pi into their lights.
+/// Lux gives cd/m^2 (W/m^2 gives W/(m^2 sr)), so under E = 1 a white Lambertian surface shows 1/pi: engines that want 1
+/// there put the pi into their lights.
 template <brdf B, class S, std::same_as<typename B::scalar> T>
 constexpr auto reflected_radiance(const B& b, const vec3<T>& v, const incident_light<S, T>& light) {
     return b.f_cos(v, light.l) * light.illuminance;
@@ -43,8 +44,8 @@ constexpr auto reflected_radiance(const B& b, const frame<T>& at, const vec3<T>&
     return b.f_cos(at.to_local(v), at.to_local(light.l)) * light.illuminance;
 }
 
-/// So far away that it shines on all points alike. `to_light`: unit, from the surface to the light (glTF's node shines along -z, so
-/// this is its +z).
+/// So far away that it shines on all points alike. `to_light`: unit, from the surface to the light (glTF's node shines
+/// along -z, so this is its +z).
 template <class S, scalar T>
 class directional_light : exact_points<directional_light<S, T>> {
 public:
@@ -66,8 +67,10 @@ struct inverse_square {
     }
 };
 
-/// max(0, 1 - (d/range)^4)/d^2: nothing beyond `range`, so that a renderer can cull. KHR_lights_punctual, "Range Property".
-/// Precondition: range > 0. Error: 8 ULP, the factor 1 - (d/range)^2 taken apart.
+/// max(0, 1 - (d/range)^4)/d^2: nothing beyond `range`, so that a renderer can cull. KHR_lights_punctual, "Range
+/// Property".
+/// Precondition: range > 0.
+/// Error: 8 ULP, the factor 1 - (d/range)^2 taken apart.
 template <scalar T>
 class inverse_square_within {
 public:
@@ -107,11 +110,12 @@ private:
     [[no_unique_address]] Falloff attenuation;
 };
 
-/// The angular falloff of a spot: 1 up to `inner`, 0 from `outer`, in between t^2, t = (cos - cos(outer))/(cos(inner) - cos(outer)).
-/// KHR_lights_punctual, "Inner and Outer Cone Angles" (its listing bends cones with cos(inner) - cos(outer) < 0.001; this does not).
-/// Differences of cosines are written as (1 - cos) = |a - w|^2/2 of unit vectors, which stays right for the narrowest beams.
-/// Angles from the axis in radians; precondition: 0 <= inner <= outer <= pi/2, where pi/2 as a float has it, 4e-8 above, is pi/2 for every
-/// T. Angles that are equal, or become so in T, make a hard edge: 1 within, 0 from `outer` on.
+/// The angular falloff of a spot: 1 up to `inner`, 0 from `outer`, in between t^2, t = (cos - cos(outer))/(cos(inner) -
+/// cos(outer)). KHR_lights_punctual, "Inner and Outer Cone Angles" (its listing bends cones with cos(inner) -
+/// cos(outer) < 0.001; this does not). Differences of cosines are written as (1 - cos) = |a - w|^2/2 of unit vectors,
+/// which stays right for the narrowest beams. Angles from the axis in radians; precondition: 0 <= inner <= outer <=
+/// pi/2, where pi/2 as a float has it, 4e-8 above, is pi/2 for every T. Angles that are equal, or become so in T, make
+/// a hard edge: 1 within, 0 from `outer` on.
 template <scalar T>
 class cone {
 public:
@@ -134,7 +138,8 @@ public:
         return t * t;
     }
 
-    /// int falloff dw, in sr: a spot of the luminous power P (lumen) has I = P/solid_angle(). 2 pi (1 - (2 cos(inner) + cos(outer))/3).
+    /// int falloff dw, in sr: a spot of the luminous power P (lumen) has I = P/solid_angle(). 2 pi (1 - (2 cos(inner) +
+    /// cos(outer))/3).
     constexpr T solid_angle() const { return T(2) * pi<T>() * (T(2) * inside + outside) / T(3); }
 
 private:

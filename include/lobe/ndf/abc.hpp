@@ -2,7 +2,8 @@
 #pragma once
 
 #include <lobe/ndf/radial.hpp>
-#include <lobe/ndf/special_functions.hpp>
+#include <lobe/numeric/roots.hpp>
+#include <lobe/numeric/special_functions.hpp>
 
 #include <cassert>
 
@@ -13,7 +14,8 @@ namespace lobe {
 template <scalar T>
 class abc_shape {
 public:
-    constexpr abc_shape(const T& width, const T& exponent) : a2(width * width), C(exponent), B(T(2) / a2), whole(), norm() {
+    constexpr abc_shape(const T& width, const T& exponent)
+        : a2(width * width), C(exponent), B(T(2) / a2), whole(), norm() {
         using W = detail::at_least_double<T>;
         using std::log1p;
         assert(all(width > T(0)) && "abc: alpha must be above 0");
@@ -36,9 +38,7 @@ public:
     }
 
     /// Newton's method on ln y. Scalar types only.
-    constexpr T tan2(const T& u) const
-        requires(detail::single<T>)
-    {
+    constexpr T tan2(const T& u) const requires(detail::one_lane<T>) {
         using W = detail::at_least_double<T>;
         if constexpr (!std::same_as<W, T>) {
             return T(as<W>().tan2(W(u)));
@@ -47,7 +47,8 @@ public:
             const T guess = C > T(1.5) ? -log1p(-u) / (C - T(1)) : -log1p(-u) * T(2);
             const T l = detail::root_of_increasing<T>(T(0), log1p(B), guess, [&](const T& at) {
                 const T left = B - expm1(at);
-                return detail::value_and_slope<T>{moment(B, C, T(0), at) / whole - u, left * exp((T(1) - C) * at) / whole};
+                return detail::value_and_slope<T>{moment(B, C, T(0), at) / whole - u,
+                                                  left * exp((T(1) - C) * at) / whole};
             });
             const T x = smaller(expm1(l) / B, T(1) - std::numeric_limits<T>::epsilon()), c = T(1) - x;
             return expm1(l) / T(2) * (T(2) - x) / (c * c);
@@ -79,25 +80,26 @@ private:
     T a2, C, B, whole, norm;
 };
 
-/// ABC: D = A / (1 + B (1 - cos theta_m))^C, B = 2/alpha^2, A from normalisation. Low, Kronander, Ynnerman & Unger 2012, "BRDF Models for
-/// Accurate and Efficient Rendering of Glossy Surfaces", eq. 12; the spectrum of polished surfaces of Church 1989. Near the
-/// normal it is (1 + theta^2/alpha^2)^-C, as GGX is at C = 2. Not shape-invariant: only `alpha`.
-/// Domain: alpha > 0, C >= 0. D in 1/sr. Projected area, Lambda, sampling: scalar types only, the area from a table that the constructor
-/// builds (once, not per pixel). Error of D: 12 (1 + |ln(D pi alpha^2)|) ULP, in double for alpha > 3 up to alpha^2/10 times that; of the
-/// projected area: 3e-6 of that along the horizon, at alpha = 1e-4, where it is largest, 4e-5 for C < 1.
-template <scalar T>
-class abc : public radial<tabulated<abc_shape<T>, T>, alpha<T>> {
-    using shape = tabulated<abc_shape<T>, T>;
-
+/// ABC: D = A / (1 + B (1 - cos theta_m))^C, B = 2/alpha^2, A from normalisation. Low, Kronander, Ynnerman & Unger
+/// 2012, "BRDF Models for Accurate and Efficient Rendering of Glossy Surfaces", eq. 12; the spectrum of polished
+/// surfaces of Church 1989. Near the normal it is (1 + theta^2/alpha^2)^-C, as GGX is at C = 2. Not shape-invariant:
+/// only `alpha`.
+/// Domain: alpha > 0, C >= 0. D in 1/sr. Sampling: scalar types only. No closed projected area: `tabulated` or
+/// `masked_by`.
+/// Error of D:
+/// 12 (1 + |ln(D pi alpha^2)|) ULP, in double for alpha > 3 up to alpha^2/10 times that; of the projected area: 3e-6 of
+/// that along the horizon, at alpha = 1e-4, where it is largest, 4e-5 for C < 1.
+template <scalar T, detail::one_width_of<T> Width = alpha<T>>
+class abc : public radial<abc_shape<T>, Width> {
 public:
-    constexpr abc(const alpha<T>& width, const T& C) : radial<shape, alpha<T>>(shape(abc_shape<T>(width.value(), C)), width) {}
+    constexpr abc(const Width& width, const T& C) : radial<abc_shape<T>, Width>(abc_shape<T>(width.x(), C), width) {}
     /// From the B and C of the paper, whose A follows.
     static constexpr abc from_b(const T& B, const T& C) {
         using std::sqrt;
         return {alpha<T>(sqrt(T(2) / B)), C};
     }
 };
-template <scalar T>
-abc(alpha<T>, T) -> abc<T>;
+template <class W, class P>
+abc(W, P) -> abc<detail::number_t<W, P>, detail::one_width_t<W, P>>;
 
 }  // namespace lobe

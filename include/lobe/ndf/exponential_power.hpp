@@ -2,7 +2,8 @@
 #pragma once
 
 #include <lobe/ndf/radial.hpp>
-#include <lobe/ndf/special_functions.hpp>
+#include <lobe/numeric/roots.hpp>
+#include <lobe/numeric/special_functions.hpp>
 
 #include <cassert>
 
@@ -25,15 +26,11 @@ public:
     }
 
     /// Q(1/p, tau^p), the regularised incomplete gamma function. Scalar types only, as its inverse.
-    constexpr T survival(const T& tau) const
-        requires(detail::single<T>)
-    {
+    constexpr T survival(const T& tau) const requires(detail::one_lane<T>) {
         using std::pow;
         return detail::incomplete_gamma<T>(T(1) / p).upper(pow(tau, p));
     }
-    constexpr T tan2(const T& u) const
-        requires(detail::single<T>)
-    {
+    constexpr T tan2(const T& u) const requires(detail::one_lane<T>) {
         using W = detail::at_least_double<T>;
         using std::exp, std::log, std::log1p;
         if (!(u > T(0))) return T(0);
@@ -47,7 +44,8 @@ public:
             if (!(share > W(0))) return detail::value_and_slope<W>{low ? W(-1) : W(1), W(0)};
             return detail::value_and_slope<W>{low ? log(share) - wanted : wanted - log(share), of.front(x) / share};
         };
-        // lower(x) is at most x^s/Gamma(s + 1), and close to it for small x: a bound from below, and where the search starts in that tail
+        // lower(x) is at most x^s/Gamma(s + 1), and close to it for small x: a bound from below, and where the search
+        // starts in that tail
         const W least = log(W(u) * of.gamma_s * s) / s;
         if (exp(least) < std::numeric_limits<W>::epsilon()) return T(exp(least * s));
         return T(exp(detail::root_of_increasing<W>(least - W(1), W(7), low ? least : log(s + W(1)), excess) * s));
@@ -60,34 +58,27 @@ public:
     }
 
     template <scalar U>
-    constexpr exponential_power_shape<U> as() const { return exponential_power_shape<U>(U(p)); }
+    constexpr exponential_power_shape<U> as() const {
+        return exponential_power_shape<U>(U(p));
+    }
 
 private:
     T p, norm;
 };
 
-/// The profile with the table of its projected area: build once for every width, share with `shared`.
-template <scalar T>
-using exponential_power_profile = radial_profile<tabulated<exponential_power_shape<T>, T>, T>;
-
-/// EPD, or generalised Beckmann: D = exp(-(tan^2/alpha^2)^p) / (pi alpha^2 Gamma(1 + 1/p) cos^4), isotropic from `alpha`, anisotropic
-/// from `alpha_xy`. Holzschuch & Pacanowski 2017, "A Two-Scale Microfacet Reflectance Model Combining Reflection and
-/// Diffraction"; Hoffman 2016. p = 1 is Beckmann. Some sources write 2p or p/2 for this p.
-/// Domain: alpha as `beckmann`, p in (0, 50] (areas tested from 1/4 to 4). D in 1/sr. Scalar types only. The constructor builds a table of
-/// the projected area, in half a millisecond; to build it once for every width:
-///   const exponential_power_profile<float> profile{tabulated<exponential_power_shape<float>, float>{exponential_power_shape{p}}};
-///   const stretched ndf{shared{profile}, alpha{a}};
+/// EPD, or generalised Beckmann: D = exp(-(tan^2/alpha^2)^p) / (pi alpha^2 Gamma(1 + 1/p) cos^4), isotropic from
+/// `alpha`, anisotropic from `alpha_xy`. Holzschuch & Pacanowski 2017, "A Two-Scale Microfacet Reflectance Model
+/// Combining Reflection and Diffraction"; Hoffman 2016. p = 1 is Beckmann. Some sources write 2p or p/2 for this p.
+/// Domain: alpha as `beckmann`, p in (0, 50] (areas tested from 1/4 to 4). D in 1/sr. Sampling: scalar types only. No
+/// closed projected area: `tabulated`, whose table `shared` lends to every width, or `masked_by`.
 /// Error of D: 6 max(1, p) (1 + (tan^2/alpha^2)^p) ULP; of the projected area: 4e-6 of that along the horizon.
-template <scalar T, class Width = alpha<T>>
-class exponential_power : public radial<tabulated<exponential_power_shape<T>, T>, detail::width_in_t<Width, T>> {
-    using shape = tabulated<exponential_power_shape<T>, T>;
-
+template <scalar T, detail::width_of<T> Width = alpha<T>>
+class exponential_power : public radial<exponential_power_shape<T>, Width> {
 public:
-    constexpr exponential_power(const Width& width, const T& p) : radial<shape, Width>(shape(exponential_power_shape<T>(p)), width) {}
+    constexpr exponential_power(const Width& width, const T& p)
+        : radial<exponential_power_shape<T>, Width>(exponential_power_shape<T>(p), width) {}
 };
-template <scalar T>
-exponential_power(alpha<T>, T) -> exponential_power<T, alpha<T>>;
-template <scalar T>
-exponential_power(alpha_xy<T>, T) -> exponential_power<T, alpha_xy<T>>;
+template <class W, class P>
+exponential_power(W, P) -> exponential_power<detail::number_t<W, P>, detail::width_t<W, P>>;
 
 }  // namespace lobe

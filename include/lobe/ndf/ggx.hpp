@@ -40,9 +40,9 @@ struct ggx_profile {
         return {r * c, r * s, sqrt(T(1) - u.x)};
     }
 
-    /// Spherical caps: v plus a direction uniform on the cap that v's mirror image sees. Dupuy & Benyoub 2023, "Sampling
-    /// Visible GGX Normals with Spherical Caps", listing 3, here with the sine of the cap from components: its
-    /// sqrt(1 - z^2) is wrong by up to 17 times for small u.x in float.
+    /// Spherical caps: v plus a direction uniform on the cap that v's mirror image sees. Dupuy & Benyoub 2023,
+    /// "Sampling Visible GGX Normals with Spherical Caps", listing 3, here with the sine of the cap from components:
+    /// its sqrt(1 - z^2) is wrong by up to 17 times for small u.x in float.
     constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const {
         using std::sqrt;
         const T sine2 = v.x * v.x + v.y * v.y, sum = T(1) + absolute(v.z);
@@ -54,13 +54,14 @@ struct ggx_profile {
     }
 };
 
-/// GGX: D = alpha^2 / (pi (alpha^2 cos^2 + sin^2)^2), isotropic from `alpha`, anisotropic from `alpha_xy`.
-/// Trowbridge & Reitz 1975; Walter et al. 2007, eq. 33; anisotropic: Burley 2012, eq. 13. Projected area and Lambda: Heitz 2014,
-/// eq. 72, 86, in the form (S + cos)/2, S^2 = ax^2 x^2 + ay^2 y^2 + z^2.
-/// Domain: alpha >= 1e-6, where the errors hold (D along the normal is finite from 1.2e-19 in float, 1.5e-153 in double; of `alpha_xy` the
-/// product); m of any length from 1e-12 to 1e12; cosines of 1e-6 and more, and the whole sphere for the projected area. D in 1/sr.
+/// GGX: D = alpha^2 / (pi (alpha^2 cos^2 + sin^2)^2), isotropic from `alpha`, anisotropic from `alpha_xy`. Trowbridge &
+/// Reitz 1975; Walter et al. 2007, eq. 33; anisotropic: Burley 2012, eq. 13. Projected area and Lambda: Heitz 2014, eq.
+/// 72, 86, in the form (S + cos)/2, S^2 = ax^2 x^2 + ay^2 y^2 + z^2.
+/// Domain: alpha >= 1e-6, where the errors hold (D along the normal is finite from 1.2e-19 in float, 1.5e-153 in
+/// double; of `alpha_xy` the product); m of any length from 1e-12 to 1e12; cosines of 1e-6 and more, and the whole
+/// sphere for the projected area. D in 1/sr.
 /// Error: D 12 ULP, projected area 4 (5 below the horizon), Lambda 8: no term cancels.
-template <scalar T, class Width = alpha<T>>
+template <scalar T, detail::width_of<T> Width = alpha<T>>
 class ggx : public stretched<ggx_profile<T>, Width> {
 public:
     constexpr explicit ggx(const Width& width) : stretched<ggx_profile<T>, Width>({}, width) {}
@@ -69,9 +70,7 @@ private:
     static_assert(samplable_distribution<stretched<ggx_profile<T>, Width>>);
     static_assert(visibly_samplable_distribution<stretched<ggx_profile<T>, Width>>);
 };
-template <scalar T>
-ggx(alpha<T>) -> ggx<T, alpha<T>>;
-template <scalar T>
-ggx(alpha_xy<T>) -> ggx<T, alpha_xy<T>>;
+template <class W>
+ggx(W) -> ggx<detail::number_t<W>, detail::width_t<W>>;
 
 }  // namespace lobe

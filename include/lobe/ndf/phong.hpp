@@ -2,24 +2,11 @@
 #pragma once
 
 #include <lobe/ndf/radial.hpp>
+#include <lobe/width/exponents.hpp>
 
 #include <cassert>
 
 namespace lobe {
-
-/// n = (1/alpha^2 - 1)/2: the exponent of the r.v lobe that resembles Blinn-Phong of width alpha, whose n.h exponent is four
-/// times it. Fisher & Woo 1994, "R.E versus N.H Specular Highlights".
-template <scalar T>
-constexpr T phong_exponent_from_alpha(const alpha<T>& a) {
-    return (T(1) - a.value()) * (T(1) + a.value()) / (T(2) * a.value() * a.value());
-}
-
-/// alpha = 1/sqrt(2 n + 1), n >= 0: its inverse.
-template <scalar T>
-constexpr alpha<T> alpha_from_phong_exponent(const T& n) {
-    using std::sqrt;
-    return alpha<T>(T(1) / sqrt(T(2) * n + T(1)));
-}
 
 /// Phong's lobe, its slopes divided by alpha. t = alpha^2 tau is tan(theta)^2, and cos(2 theta) = (1 - t)/(1 + t).
 template <scalar T>
@@ -68,22 +55,21 @@ private:
     T a2;
 };
 
-/// Phong: D = 2 (n + 1)/pi max(0, cos 2 theta_m)^n, n = (1/alpha^2 - 1)/2, so 2 (n + 1) = (1 + alpha^2)/alpha^2: seen from the normal, the
-/// mirror of such facets is Phong's own lobe (r.v)^n, r.v = cos 2 theta_m. Phong 1975, "Illumination for Computer Generated Pictures",
-/// gave the lobe and no surface; this is the one that has it, normalised. Its facets are tilted by less than 45 degrees, at alpha = 1
-/// evenly up to there. Practice pairs it with another's masking: `masked_by{phong{a}, ggx{a}}`. Not shape-invariant: only `alpha`.
-/// Domain: 0 < alpha <= 1 (n >= 0). D in 1/sr. Projected area, Lambda, visible normals: scalar types only, from a
-/// table that the constructor builds (once, not per pixel). Error of D: 10 (1 + |ln(D pi alpha^2)|) / cos(2 theta_m) ULP; of the
-/// projected area: 3e-5 of that along the horizon.
-template <scalar T>
-class phong : public radial<tabulated<phong_shape<T>, T>, alpha<T>> {
-    using shape = tabulated<phong_shape<T>, T>;
-
+/// Phong: D = 2 (n + 1)/pi max(0, cos 2 theta_m)^n, n = (1/alpha^2 - 1)/2, so 2 (n + 1) = (1 + alpha^2)/alpha^2: seen
+/// from the normal, the mirror of such facets is Phong's own lobe (r.v)^n, r.v = cos 2 theta_m. Phong 1975,
+/// "Illumination for Computer Generated Pictures", gave the lobe and no surface; this is the one that has it,
+/// normalised. Its facets are tilted by less than 45 degrees, at alpha = 1 evenly up to there. Practice pairs it with
+/// another's masking: `masked_by{phong{a}, ggx{a}}`. Not shape-invariant: only `alpha`.
+/// Domain: 0 < alpha <= 1 (n >= 0). D in 1/sr. No closed projected area: `tabulated` or `masked_by`.
+/// Error of D:
+/// 10 (1 + |ln(D pi alpha^2)|) / cos(2 theta_m) ULP; of the projected area: 3e-5 of that along the horizon.
+template <scalar T, detail::one_width_of<T> Width = alpha<T>>
+class phong : public radial<phong_shape<T>, Width> {
 public:
-    constexpr explicit phong(const alpha<T>& width) : radial<shape, alpha<T>>(shape(phong_shape<T>(width.value())), width) {}
+    constexpr explicit phong(const Width& width) : radial<phong_shape<T>, Width>(phong_shape<T>(width.x()), width) {}
     static constexpr phong from_exponent(const T& n) { return phong(alpha_from_phong_exponent(n)); }
 };
-template <scalar T>
-phong(alpha<T>) -> phong<T>;
+template <class W>
+phong(W) -> phong<detail::number_t<W>, detail::one_width_t<W>>;
 
 }  // namespace lobe

@@ -13,9 +13,10 @@ namespace lobe {
 ///
 /// A `Profile` says what its surface of width 1 does:
 /// - `D(m)` of any positive multiple of m, or `D(m, width)` of the stretched surface where that rounds less;
+/// and, where it can,
 /// - `projected_area(w)`, homogeneous: the area seen from w/|w|, times |w|;
 /// - `lambda(w)` of any positive multiple of w;
-/// - `sample(u)` and, where it can, `sample_visible(v, u)` (unit v): any positive multiple of the normal.
+/// - `sample(u)`, `sample_visible(v, u)` (unit v): any positive multiple of the normal.
 template <class Profile, class Width>
 class stretched {
     using T = typename Width::scalar;
@@ -24,62 +25,72 @@ public:
     using scalar = T;
     static constexpr bool isotropic = Width::isotropic;
 
-    constexpr stretched(const Profile& profile_of_width_1, const Width& widths) : profile(profile_of_width_1), size(widths) {}
+    constexpr stretched(const Profile& profile_of_width_1, const Width& widths)
+        : profile_(profile_of_width_1), widths_(widths) {}
+
+    /// For `tabulated`, and for `shared`, which wants the distribution kept.
+    constexpr const Profile& profile() const& { return profile_; }
+    constexpr const Profile& profile() const&& = delete;
+    constexpr const Width& widths() const { return widths_; }
 
     /// 1/sr; zero below the horizon, the limit from above at it. Any positive multiple of m.
     constexpr T D(const vec3<T>& m) const {
-        if constexpr (requires { profile.D(m, size); })
-            return select(m.z < T(0), T(0), profile.D(m, size));
+        if constexpr (requires { profile_.D(m, widths_); })
+            return select(m.z < T(0), T(0), profile_.D(m, widths_));
         else
-            return select(m.z < T(0), T(0), profile.D(size.unstretch(m)) * size.density_ratio(m));
+            return select(m.z < T(0), T(0), profile_.D(widths_.unstretch(m)) * widths_.density_ratio(m));
     }
 
     /// Unit w, anywhere on the sphere.
-    constexpr T projected_area(const vec3<T>& w) const { return profile.projected_area(size.stretch(w)); }
+    constexpr T projected_area(const vec3<T>& w) const requires(requires(const Profile p) { p.projected_area(w); }) {
+        return profile_.projected_area(widths_.stretch(w));
+    }
 
     /// The same where w is known to be above the horizon, for profiles that are cheaper there.
     constexpr T projected_area_above(const vec3<T>& w) const
-        requires requires(const Profile p) { p.projected_area_above(w); }
-    {
-        return profile.projected_area_above(size.stretch(w));
+        requires(requires(const Profile p) { p.projected_area_above(w); }) {
+        return profile_.projected_area_above(widths_.stretch(w));
     }
 
     /// Unit w; negative, at most -1, below the horizon, infinite at the horizon.
-    constexpr T lambda(const vec3<T>& w) const { return profile.lambda(size.stretch(w)); }
+    constexpr T lambda(const vec3<T>& w) const requires(requires(const Profile p) { p.lambda(w); }) {
+        return profile_.lambda(widths_.stretch(w));
+    }
 
-    constexpr vec2<T> width() const { return {size.x(), size.y()}; }
+    constexpr vec2<T> width() const { return {widths_.x(), widths_.y()}; }
 
-    /// A normal with density D(m) cos(theta_m); u in [0,1)^2. Error, for GGX and Beckmann: 3e-7 radian in float, 6e-16 in double.
-    /// (Inlined by force, as is `sample_visible`: a loop with a call does not vectorise.)
-    [[gnu::always_inline]] constexpr vec3<T> sample(const vec2<T>& u) const { return normalize(size.stretch(profile.sample(u))); }
+    /// A normal with density D(m) cos(theta_m); u in [0,1)^2. Error, for GGX and Beckmann: 3e-7 radian in float, 6e-16
+    /// in double. (Inlined by force, as is `sample_visible`: a loop with a call does not vectorise.)
+    [[gnu::always_inline]] constexpr vec3<T> sample(const vec2<T>& u) const
+        requires(requires(const Profile p) { p.sample(u); }) {
+        return normalize(widths_.stretch(profile_.sample(u)));
+    }
     constexpr T pdf(const vec3<T>& m) const { return D(m) * m.z; }
 
-    /// A normal seen from v, with density max(0, v.m) D(m) / projected_area(v); unit v, also below the horizon, where the
-    /// random walk looks up through the surface; u in [0,1)^2. Error for GGX in float: 3e-7 (1 + a |Sv| |S^-1 m|^2/(2 v.m)) radian, S the
-    /// stretch, a the larger width: 1e-6 for 99.9 % of the square, more (4e-4 at alpha 1e-4) where grazing facets close at u.x = 1.
+    /// A normal seen from v, with density max(0, v.m) D(m) / projected_area(v); unit v, also below the horizon, where
+    /// the random walk looks up through the surface; u in [0,1)^2.
+    /// Error for GGX in float: 3e-7 (1 + a |Sv| |S^-1 m|^2/(2 v.m)) radian, S the stretch, a the larger width: 1e-6 for
+    /// 99.9 % of the square, more (4e-4 at alpha 1e-4) where grazing facets close at u.x = 1.
     [[gnu::always_inline]] constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const
-        requires(requires(const Profile p) { p.sample_visible(v, u); })
-    {
-        return normalize(size.stretch(profile.sample_visible(normalize(size.stretch(v)), u)));
+        requires(requires(const Profile p) { p.sample_visible(v, u); }) {
+        return normalize(widths_.stretch(profile_.sample_visible(normalize(widths_.stretch(v)), u)));
     }
-    constexpr T pdf_visible(const vec3<T>& v, const vec3<T>& m) const {
+    constexpr T pdf_visible(const vec3<T>& v, const vec3<T>& m) const
+        requires(requires(const Profile p) { p.projected_area(v); }) {
         return larger(dot(v, m), T(0)) * D(m) / projected_area(v);
     }
 
 private:
-    [[no_unique_address]] Profile profile;
-    Width size;
+    [[no_unique_address]] Profile profile_;
+    Width widths_;
 
-    static_assert(requires(const Profile p, const vec3<T> w, const Width a) {
-        { p.D(w, a) } -> std::same_as<T>;
-    } || requires(const Profile p, const vec3<T> w) {
-        { p.D(w) } -> std::same_as<T>;
-    });
-    static_assert(requires(const Profile p, const vec3<T> w, const vec2<T> u) {
-        { p.projected_area(w) } -> std::same_as<T>;
-        { p.lambda(w) } -> std::same_as<T>;
-        { p.sample(u) } -> std::same_as<vec3<T>>;
-    });
+    static_assert(
+        requires(const Profile p, const vec3<T> w, const Width a) {
+            { p.D(w, a) } -> std::same_as<T>;
+        } ||
+        requires(const Profile p, const vec3<T> w) {
+            { p.D(w) } -> std::same_as<T>;
+        });
 };
 
 }  // namespace lobe

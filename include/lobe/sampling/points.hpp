@@ -40,7 +40,8 @@ constexpr T radical_inverse(std::uint32_t i) {
 /// Domain: i < n. Error: 2^-24 in float, 2^-31 in double; both coordinates are below 1 for every n.
 template <scalar T = float>
 constexpr vec2<T> hammersley(std::uint32_t i, std::uint32_t n) {
-    const std::uint64_t step = ~std::uint64_t{0} / n;  // 2^64/n: the same for all points, so compilers hoist the division
+    // 2^64/n: the same for all points, so compilers hoist the division
+    const std::uint64_t step = ~std::uint64_t{0} / n;
     return {detail::fraction<T>(static_cast<std::uint32_t>((i * step + step / 2) >> 32)),
             detail::fraction<T>(detail::reverse_bits(i) + static_cast<std::uint32_t>(step >> 33))};
 }

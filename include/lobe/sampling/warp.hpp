@@ -1,6 +1,6 @@
 // Maps from the unit square: the map, its density, its inverse. u.x is radial and u.y azimuthal, except in the
-// concentric maps, which keep the square's own axes. Densities of directions are in 1/sr. Error: 3e-7 in float (radian; of the disk: of its
-// radius), 6e-16 in double.
+// concentric maps, which keep the square's own axes. Densities of directions are in 1/sr.
+// Error: 3e-7 in float (radian; of the disk: of its radius), 6e-16 in double.
 #pragma once
 
 #include <lobe/core/vector.hpp>
@@ -47,8 +47,8 @@ struct concentric_point {
     T edge;  // distance of the point's square ring from the edge: 0 at the rim, 1/2 at the centre
 };
 
-/// Shirley & Chiu 1997, "A Low Distortion Map Between Disk and Square": rings of the square become circles. Which ring is told by the
-/// distances from the edges: near a corner 2 u - 1 is the same 1 for several u.
+/// Shirley & Chiu 1997, "A Low Distortion Map Between Disk and Square": rings of the square become circles. Which ring
+/// is told by the distances from the edges: near a corner 2 u - 1 is the same 1 for several u.
 template <scalar T>
 constexpr concentric_point<T> concentric(const vec2<T>& u) {
     const T a = T(2) * u.x - T(1), b = T(2) * u.y - T(1);
