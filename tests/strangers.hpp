@@ -1,6 +1,6 @@
-// A stranger's BRDFs, written as textbooks and engines write them: half vectors are normalised, cosines clamped, 1 - c*c and pow
-// are not feared. The test kit is tried on them, so they use nothing of lobe. Each is put together from small functions: a mistake
-// replaces one of them.
+// A stranger's BRDFs, written as textbooks and engines write them: half vectors are normalised, cosines clamped, 1 -
+// c*c and pow are not feared. The test kit is tried on them, so they use nothing of lobe. Each is put together from
+// small functions: a mistake replaces one of them.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -101,7 +101,8 @@ template <class T>
 vec3<T> ggx_sample_visible(const vec3<T>& v, const vec2<T>& u, T ax, T ay) {
     const vec3<T> vh = glm::normalize(vec3<T>(ax * v.x, ay * v.y, v.z));
     const T lensq = vh.x * vh.x + vh.y * vh.y;
-    const vec3<T> t1 = lensq > 0 ? vec3<T>(-vh.y, vh.x, 0) / std::sqrt(lensq) : vec3<T>(1, 0, 0), t2 = glm::cross(vh, t1);
+    const vec3<T> t1 = lensq > 0 ? vec3<T>(-vh.y, vh.x, 0) / std::sqrt(lensq) : vec3<T>(1, 0, 0),
+                  t2 = glm::cross(vh, t1);
     const T r = std::sqrt(u.x), phi = 2 * pi<T> * u.y, p1 = r * std::cos(phi), s = (1 + vh.z) / 2;
     const T p2 = (1 - s) * std::sqrt(1 - p1 * p1) + s * (r * std::sin(phi));
     const vec3<T> nh = p1 * t1 + p2 * t2 + std::sqrt(std::max(T(0), 1 - p1 * p1 - p2 * p2)) * vh;
@@ -159,7 +160,9 @@ struct microfacet {
     std::function<V(const V& v, const vec2<T>& u)> sample_m;
     std::function<T(const V& v, const V& m)> pdf_m;
     std::function<T(const V& v, const V& l, const V& m)> weight;  // without F
-    std::function<T(const V& v, const V& l, const V& m)> f_cos_of = [](const V& v, const V&, const V&) { return 1 / (4 * v.z); };
+    std::function<T(const V& v, const V& l, const V& m)> f_cos_of = [](const V& v, const V&, const V&) {
+        return 1 / (4 * v.z);
+    };
     std::function<T(const V& v, const V& l, const V& m)> jacobian = [](const V& v, const V&, const V& m) {
         return 1 / (4 * std::abs(glm::dot(v, m)));
     };
@@ -195,7 +198,9 @@ struct microfacet {
 template <class T>
 microfacet<T> drawing_all(microfacet<T> b) {
     b.pdf_m = [D = b.D](const vec3<T>&, const vec3<T>& m) { return D(m) * m.z; };
-    b.weight = [G = b.G](const vec3<T>& v, const vec3<T>& l, const vec3<T>& m) { return G(v, l, m) * glm::dot(v, m) / (v.z * m.z); };
+    b.weight = [G = b.G](const vec3<T>& v, const vec3<T>& l, const vec3<T>& m) {
+        return G(v, l, m) * glm::dot(v, m) / (v.z * m.z);
+    };
     return b;
 }
 
@@ -244,7 +249,9 @@ microfacet<T> blinn_phong(T n) {
     b.D = [n](const vec3<T>& m) { return (n + 2) / (2 * pi<T>)*std::pow(m.z, n); };
     b.G = [](const vec3<T>& v, const vec3<T>& l, const vec3<T>& m) { return v_cavity(v, l, m); };
     b = drawing_all(b);
-    b.sample_m = [n](const vec3<T>&, const vec2<T>& u) { return spherical(std::pow(1 - u.x, 1 / (n + 2)), 2 * pi<T> * u.y); };
+    b.sample_m = [n](const vec3<T>&, const vec2<T>& u) {
+        return spherical(std::pow(1 - u.x, 1 / (n + 2)), 2 * pi<T> * u.y);
+    };
     return b;
 }
 
@@ -337,7 +344,9 @@ material<T, vec3<T>> tinted(const material<T>& m, const vec3<T>& color) {
 template <class T>
 material<T> turned_frame(const material<T>& m, T angle) {
     material<T> out;
-    out.f_cos = [m, angle](const vec3<T>& v, const vec3<T>& l) { return m.f_cos(turned(v, -angle), turned(l, -angle)); };
+    out.f_cos = [m, angle](const vec3<T>& v, const vec3<T>& l) {
+        return m.f_cos(turned(v, -angle), turned(l, -angle));
+    };
     out.pdf = [m, angle](const vec3<T>& v, const vec3<T>& l) { return m.pdf(turned(v, -angle), turned(l, -angle)); };
     out.sample = [m, angle](const vec3<T>& v, const vec2<T>& u) {
         auto s = m.sample(turned(v, -angle), u);

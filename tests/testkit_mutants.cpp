@@ -101,16 +101,21 @@ const albedo_table<double>& metal_albedo() {
     static const albedo_table<double> E{material<double>(ggx(0.5))};
     return E;
 }
-material<double> compensated(const albedo_table<double>& E) { return mixture<double>(ggx(0.5), diffuse<double>(kulla_conty(E)), 0.7); }
+material<double> compensated(const albedo_table<double>& E) {
+    return mixture<double>(ggx(0.5), diffuse<double>(kulla_conty(E)), 0.7);
+}
 
 /// Light goes back to where it came from: D about v itself. int D(m) (v.m) dm over the hemisphere about v is at most 1.
 material<double> retro_reflector(double a) {
     material<double> out;
     const auto lobe = [a](const V& v, const V& l) {
-        const double c = std::max(glm::dot(v, l), 0.0), s2 = glm::dot(glm::cross(v, l), glm::cross(v, l)), k = s2 / (a * a) + c * c;
+        const double c = std::max(glm::dot(v, l), 0.0), s2 = glm::dot(glm::cross(v, l), glm::cross(v, l)),
+                     k = s2 / (a * a) + c * c;
         return 1 / (pi<double> * a * a * k * k);
     };
-    out.f_cos = [lobe](const V& v, const V& l) { return above(v, l) ? lobe(v, l) * std::min(v.z, l.z) * l.z / std::max(v.z, l.z) : 0; };
+    out.f_cos = [lobe](const V& v, const V& l) {
+        return above(v, l) ? lobe(v, l) * std::min(v.z, l.z) * l.z / std::max(v.z, l.z) : 0;
+    };
     return out;
 }
 
@@ -132,7 +137,8 @@ material<T> phong(T n, bool retro = false) {
         if (!(v.z > 0)) return s;
         const vec axis = axis_of(v);
         const vec t = glm::normalize(glm::cross(axis, std::abs(axis.z) < T(0.9) ? vec(0, 0, 1) : vec(1, 0, 0)));
-        const T tilt = std::pow(1 - u.x, 1 / (n + 1)), side = std::sqrt(std::max(T(0), 1 - tilt * tilt)), phi = 2 * pi<T> * u.y;
+        const T tilt = std::pow(1 - u.x, 1 / (n + 1)), side = std::sqrt(std::max(T(0), 1 - tilt * tilt)),
+                phi = 2 * pi<T> * u.y;
         const vec l = side * std::cos(phi) * t + side * std::sin(phi) * glm::cross(axis, t) + tilt * axis;
         if (!(l.z > 0)) return s;
         s.l = l;
@@ -148,8 +154,8 @@ double glass(double c) {
     const double g = std::sqrt(1.25 + c * c), A = (g - c) / (g + c), B = (c * (g + c) - 1) / (c * (g - c) + 1);
     return A * A * (1 + B * B) / 2;
 }
-/// Lambert below GGX: the Fresnel term of the view is the share of the gloss. `number` selects the lobe: that of the radius (0), that of
-/// the azimuth (1), each stretched again; or a third one.
+/// Lambert below GGX: the Fresnel term of the view is the share of the gloss. `number` selects the lobe: that of the
+/// radius (0), that of the azimuth (1), each stretched again; or a third one.
 template <class Numbers>
 struct selecting {
     struct parts {
@@ -195,12 +201,14 @@ struct selecting_at_m {
     double pdf(const V& v, const V& l) const {
         if (!above(v, l)) return 0;
         const double turn = std::atan2(l.y, l.x) / (2 * pi<double>);
-        const V m = normal(v, {l.x * l.x + l.y * l.y, turn - std::floor(turn)});  // that cosine_hemisphere(u) = l was drawn with
+        // that cosine_hemisphere(u) = l was drawn with
+        const V m = normal(v, {l.x * l.x + l.y * l.y, turn - std::floor(turn)});
         return F(glm::length(v + l) / 2) * gloss.pdf(v, l) + (1 - F(clamped_dot(v, m))) * l.z / pi<double>;
     }
     drawn sample(const V& v, const V& u) const {
         if (!(v.z > 0)) return {};
-        const V m = normal(v, {u.x, u.y}), l = u.z < F(clamped_dot(v, m)) ? 2 * glm::dot(v, m) * m - v : cosine_hemisphere(U(u.x, u.y));
+        const V m = normal(v, {u.x, u.y}),
+                l = u.z < F(clamped_dot(v, m)) ? 2 * glm::dot(v, m) * m - v : cosine_hemisphere(U(u.x, u.y));
         if (!(l.z > 0)) return {};
         return {l, f_cos(v, l) / pdf(v, l), pdf(v, l)};
     }
@@ -208,7 +216,8 @@ struct selecting_at_m {
 
 /// Half vectors about a tilted axis, 1/4 D(m) with int D dm = 1: at most 1 of the light returns.
 material<double> tilted(double a, double tilt, double azimuth, double albedo) {
-    const V axis = spherical(std::cos(tilt), azimuth), t = glm::normalize(glm::cross(axis, V(0, 0, 1))), s = glm::cross(axis, t);
+    const V axis = spherical(std::cos(tilt), azimuth), t = glm::normalize(glm::cross(axis, V(0, 0, 1))),
+            s = glm::cross(axis, t);
     const auto D = [=](const V& m) {
         const V local(glm::dot(m, t), glm::dot(m, s), glm::dot(m, axis));
         return local.z > 0 ? ggx_D(local, a, a) * local.z : 0;
@@ -219,10 +228,13 @@ material<double> tilted(double a, double tilt, double azimuth, double albedo) {
         const V m = glm::normalize(v + l);
         return D(m) / (4 * std::abs(glm::dot(v, m)));
     };
-    out.f_cos = [D, albedo](const V& v, const V& l) { return above(v, l) ? albedo * D(glm::normalize(v + l)) / 4 * l.z : 0; };
+    out.f_cos = [D, albedo](const V& v, const V& l) {
+        return above(v, l) ? albedo * D(glm::normalize(v + l)) / 4 * l.z : 0;
+    };
     out.sample = [=](const V& v, const U& u) {
         drawn d;
-        const V local = ggx_sample(u, a, a), m = local.x * t + local.y * s + local.z * axis, l = 2 * glm::dot(v, m) * m - v;
+        const V local = ggx_sample(u, a, a), m = local.x * t + local.y * s + local.z * axis,
+                l = 2 * glm::dot(v, m) * m - v;
         if (!(v.z > 0) || !(l.z > 0) || !(glm::dot(v, m) > 0)) return d;
         d.l = l;
         d.pdf = D(m) / (4 * glm::dot(v, m));
@@ -235,7 +247,9 @@ material<double> tilted(double a, double tilt, double azimuth, double albedo) {
 /// The same, but f_cos is multiplied by `factor` where the condition holds.
 template <class T, class Condition>
 material<T> altered(material<T> m, T factor, const Condition& where) {
-    m.f_cos = [f = m.f_cos, factor, where](const vec3<T>& v, const vec3<T>& l) { return f(v, l) * (where(v, l) ? factor : T(1)); };
+    m.f_cos = [f = m.f_cos, factor, where](const vec3<T>& v, const vec3<T>& l) {
+        return f(v, l) * (where(v, l) ? factor : T(1));
+    };
     return m;
 }
 /// The same, but the samples pass through `change(v, u, s)`.
@@ -279,15 +293,18 @@ void wrong_formulas(trials& t) {
     t.add("Blinn-Phong exponent 2a^2-2", b, "chi-squared");
 
     t.add("Schlick 1-(v.h)^5", lossless(),
-          without_sample(glazed(with_F(glaze(), [](double c) { return 0.3 + 0.7 * (1 - std::pow(c, 5)); }))), "white furnace");
+          without_sample(glazed(with_F(glaze(), [](double c) { return 0.3 + 0.7 * (1 - std::pow(c, 5)); }))),
+          "white furnace");
     t.add("Schlick with the fourth power", lossless(),
-          without_sample(glazed(with_F(glaze(), [](double c) { return 0.3 + 0.7 * std::pow(1 - c, 4); }))), "white furnace");
+          without_sample(glazed(with_F(glaze(), [](double c) { return 0.3 + 0.7 * std::pow(1 - c, 4); }))),
+          "white furnace");
     t.add("Fresnel of v.l", lossless(),
           with_f_cos(glazed(glaze()),
                      [](const V& v, const V& l, double f) {
                          if (!above(v, l)) return f;
                          const V m = glm::normalize(v + l);
-                         const double vm = clamped_dot(v, m), F = 0.3 + 0.7 * grazing(vm), wrong = 0.3 + 0.7 * grazing(clamped_dot(v, l));
+                         const double vm = clamped_dot(v, m), F = 0.3 + 0.7 * grazing(vm),
+                                      wrong = 0.3 + 0.7 * grazing(clamped_dot(v, l));
                          return f + ggx_D(m, 0.4) * ggx_G2(v, l, 0.4, 0.4) * (wrong - F) / (4 * v.z);
                      }),
           "white furnace");
@@ -323,11 +340,11 @@ void wrong_formulas(trials& t) {
     t.add("GGX without the cosine", without_sample(material<double>(b)), "reciprocity", "cos(theta_l)");
     b.f_cos_of = [](const V& v, const V& l, const V&) { return l.z / (4 * v.z); };
     t.add("GGX with the cosine twice", without_sample(material<double>(b)), "reciprocity", "cos(theta_l)");
-    t.add("Lambert without 1/pi", without_sample(diffuse<double>([](const V&, const V&) { return 1.0; })), "white furnace is at most 1",
-          "1/pi");
+    t.add("Lambert without 1/pi", without_sample(diffuse<double>([](const V&, const V&) { return 1.0; })),
+          "white furnace is at most 1", "1/pi");
     t.add("Lambert without the cosine",
-          without_sample(with_f_cos(lambert(1.0), [](const V&, const V& l, double f) { return f > 0 ? f / l.z : 0; })), "reciprocity",
-          "cos(theta_l)");
+          without_sample(with_f_cos(lambert(1.0), [](const V&, const V& l, double f) { return f > 0 ? f / l.z : 0; })),
+          "reciprocity", "cos(theta_l)");
 
     b = ggx(0.3, 0.6, draws::all);
     b.D = [](const V& m) {
@@ -361,11 +378,15 @@ void wrong_formulas(trials& t) {
     t.add("GGX masked for v only", without_sample(material<double>(b)), "reciprocity", "masking");
 
     b = ggx(0.25);  // Schlick's k of direct light in f, that of image-based light in the weight
-    const auto schlick_G = [](double k, const V& v, const V& l) { return v.z / (v.z * (1 - k) + k) * l.z / (l.z * (1 - k) + k); };
+    const auto schlick_G = [](double k, const V& v, const V& l) {
+        return v.z / (v.z * (1 - k) + k) * l.z / (l.z * (1 - k) + k);
+    };
     b.G = [schlick_G](const V& v, const V& l, const V&) { return schlick_G(1.5 * 1.5 / 8, v, l); };
     b = drawing_all(b);
     b.sample_m = ggx(0.25, draws::all).sample_m;
-    b.weight = [schlick_G](const V& v, const V& l, const V& m) { return schlick_G(0.125, v, l) * glm::dot(v, m) / (v.z * m.z); };
+    b.weight = [schlick_G](const V& v, const V& l, const V& m) {
+        return schlick_G(0.125, v, l) * glm::dot(v, m) / (v.z * m.z);
+    };
     t.add("two conventions of Schlick's k", b, "weight * pdf");
 
     b = ggx(0.2);
@@ -381,26 +402,33 @@ void wrong_formulas(trials& t) {
     t.add("Phong lobe, cosine missing",
           without_sample(with_f_cos(phong(40.0),
                                     [](const V& v, const V& l, double) {
-                                        return above(v, l) ? 41 / (2 * pi<double>)*std::pow(clamped_dot(V(-v.x, -v.y, v.z), l), 40) : 0;
+                                        return above(v, l) ? 41 / (2 * pi<double>)*std::pow(
+                                                                      clamped_dot(V(-v.x, -v.y, v.z), l), 40)
+                                                           : 0;
                                     })),
           "reciprocity");
-    t.add("Phong pdf normalised for n.h", with_pdf(phong(10.0), [](const V&, const V&, double p) { return p * 12 / 11; }), "pdf",
-          "same factor");
+    t.add("Phong pdf normalised for n.h",
+          with_pdf(phong(10.0), [](const V&, const V&, double p) { return p * 12 / 11; }), "pdf", "same factor");
 }
 
 void wrong_energy(trials& t) {
     const material<double> white_base = lambert(1.0);
     const facets coat = with_F(ggx(0.1), schlick(0.04));
-    const material<double> kd = diffuse<double>(
-        [](const V& v, const V& l) { return (1 - (0.04 + 0.96 * grazing(clamped_dot(v, glm::normalize(v + l))))) / pi<double>; });
-    t.add("(1-F) diffuse + all of the specular", without_sample(mixture<double>(coat, kd, 0.5)), "white furnace is at most 1");
-    t.add("clear coat on an unattenuated base", without_sample(mixture<double>(coat, white_base, 0.5)), "white furnace is at most 1");
-    t.add("Burley's diffuse, white and rough", diffuse<double>([](const V& v, const V& l) { return burley(v, l, 1.0, 1.0); }),
+    const material<double> kd = diffuse<double>([](const V& v, const V& l) {
+        return (1 - (0.04 + 0.96 * grazing(clamped_dot(v, glm::normalize(v + l))))) / pi<double>;
+    });
+    t.add("(1-F) diffuse + all of the specular", without_sample(mixture<double>(coat, kd, 0.5)),
           "white furnace is at most 1");
+    t.add("clear coat on an unattenuated base", without_sample(mixture<double>(coat, white_base, 0.5)),
+          "white furnace is at most 1");
+    t.add("Burley's diffuse, white and rough",
+          diffuse<double>([](const V& v, const V& l) { return burley(v, l, 1.0, 1.0); }), "white furnace is at most 1");
     t.add("Oren-Nayar, alpha and beta swapped",
-          without_sample(diffuse<double>([](const V& v, const V& l) { return oren_nayar(v, l, 0.8, 0.5, true); })), "white furnace");
+          without_sample(diffuse<double>([](const V& v, const V& l) { return oren_nayar(v, l, 0.8, 0.5, true); })),
+          "white furnace");
     t.add("Oren-Nayar, cos(phi) not clamped",
-          diffuse<double>([](const V& v, const V& l) { return oren_nayar(v, l, 0.8, 0.9, false, false); }), "f_cos is not negative");
+          diffuse<double>([](const V& v, const V& l) { return oren_nayar(v, l, 0.8, 0.9, false, false); }),
+          "f_cos is not negative");
     t.add("Oren-Nayar, white", diffuse<double>([](const V& v, const V& l) { return oren_nayar(v, l, 1.0, 0.2); }),
           "white furnace is at most 1");
 
@@ -422,23 +450,28 @@ void wrong_energy(trials& t) {
     t.add("Kulla-Conty, table read beside its nodes", lossless(), without_sample(compensated(E)), "white furnace is 1");
     t.add("Kulla-Conty, table of 8 read by nearest", lossless(),
           without_sample(mixture<double>(ggx(0.5), diffuse<double>([](const V& v, const V& l) {
-                                             const auto nearest = [](double mu) { return metal_albedo()(std::round(mu * 7) / 7); };
-                                             return (1 - nearest(v.z)) * (1 - nearest(l.z)) / (pi<double> * (1 - metal_albedo().average));
+                                             const auto nearest = [](double mu) {
+                                                 return metal_albedo()(std::round(mu * 7) / 7);
+                                             };
+                                             return (1 - nearest(v.z)) * (1 - nearest(l.z)) /
+                                                    (pi<double> * (1 - metal_albedo().average));
                                          }),
                                          0.7)),
           "white furnace is 1");
-    t.add("lossless but for the multiple scattering", lossless(), without_sample(material<double>(ggx(0.5))), "white furnace is 1");
-    t.add("lossless, 0.5 % too much", lossless(), diffuse<double>([](const V&, const V&) { return 1.005 / pi<double>; }),
+    t.add("lossless but for the multiple scattering", lossless(), without_sample(material<double>(ggx(0.5))),
           "white furnace is 1");
-    t.add("lossless, 0.5 % too little", lossless(), diffuse<double>([](const V&, const V&) { return 0.995 / pi<double>; }),
-          "white furnace is 1");
+    t.add("lossless, 0.5 % too much", lossless(),
+          diffuse<double>([](const V&, const V&) { return 1.005 / pi<double>; }), "white furnace is 1");
+    t.add("lossless, 0.5 % too little", lossless(),
+          diffuse<double>([](const V&, const V&) { return 0.995 / pi<double>; }), "white furnace is 1");
     t.add("lossless glaze, 0.5 % too little", lossless(),
           with_f_cos(glazed(glaze()), [](const V&, const V&, double f) { return 0.995 * f; }), "white furnace is 1");
 
-    t.add("retro-reflector without a bound",
-          without_sample(
-              with_f_cos(retro_reflector(0.05), [](const V& v, const V& l, double f) { return f > 0 ? f / std::min(v.z, l.z) : 0; })),
-          "white furnace is at most 1");
+    t.add(
+        "retro-reflector without a bound",
+        without_sample(with_f_cos(retro_reflector(0.05),
+                                  [](const V& v, const V& l, double f) { return f > 0 ? f / std::min(v.z, l.z) : 0; })),
+        "white furnace is at most 1");
     t.add("sheen on 1/(4 n.v n.l)", without_sample(diffuse<double>([](const V& v, const V& l) {
               const V m = glm::normalize(v + l);
               const double sin2 = std::max(0.0, 1 - m.z * m.z);
@@ -448,26 +481,33 @@ void wrong_energy(trials& t) {
     t.add("a tilted lobe returns twice the light", without_sample(tilted(0.05, 0.6, 1.0, 3.0)), "white furnace");
     t.add("a narrow tilted lobe returns 10 times the light", tilted(0.01, 0.5, 2.0, 10.0), "white furnace");
     t.add("a diffuse weight of one side, not declared",
-          diffuse<double>([](const V& v, const V&) { return (1 - glaze_albedo()(v.z)) / pi<double>; }), "reciprocity", "one side");
+          diffuse<double>([](const V& v, const V&) { return (1 - glaze_albedo()(v.z)) / pi<double>; }), "reciprocity",
+          "one side");
     t.add("scaled by 1/E(v), not declared",
-          with_f_cos(material<double>(ggx(0.5)), [](const V& v, const V&, double f) { return f > 0 ? f / metal_albedo()(v.z) : 0; }),
+          with_f_cos(material<double>(ggx(0.5)),
+                     [](const V& v, const V&, double f) { return f > 0 ? f / metal_albedo()(v.z) : 0; }),
           "reciprocity");
     t.add("claimed to be isotropic", isotropic(), material<double>(ggx(0.2, 0.3)), "isotropy");
     t.add("a stripe of 5 degrees, claimed isotropic", isotropic(),
-          without_sample(altered(lambert(0.5), 0.8, [](const V&, const V& l) { return std::abs(azimuth_of(l) - 0.4) < 0.044; })),
+          without_sample(
+              altered(lambert(0.5), 0.8, [](const V&, const V& l) { return std::abs(azimuth_of(l) - 0.4) < 0.044; })),
           "isotropy");
 
     using rgb = material<double, V>;
     const V gold(1.0, 0.71, 0.29);
     const rgb metal = tinted<double>(ggx(0.3), gold);
-    t.add("one channel without 1/pi", with_f_cos(metal, [](const V&, const V&, const V& f) { return f * V(1, 1, pi<double>); }),
-          "weight * pdf", "1/pi");
+    t.add("one channel without 1/pi",
+          with_f_cos(metal, [](const V&, const V&, const V& f) { return f * V(1, 1, pi<double>); }), "weight * pdf",
+          "1/pi");
     t.add("one channel of n.v",
-          with_f_cos(metal, [](const V& v, const V&, const V& f) { return f * V(1, 1, 1 - 0.3 * grazing(std::max(v.z, 0.0))); }),
+          with_f_cos(metal, [](const V& v, const V&,
+                               const V& f) { return f * V(1, 1, 1 - 0.3 * grazing(std::max(v.z, 0.0))); }),
           "reciprocity");
     t.add("two channels exchanged in the weight",
-          resampled(metal, [](const V&, const U&, rgb::drawn& s) { std::swap(s.weight.y, s.weight.z); }), "weight * pdf");
-    t.add("one channel of a lossless one lost", lossless(), tinted<double>(lambert(1.0), V(1, 1, 0.9)), "white furnace is 1");
+          resampled(metal, [](const V&, const U&, rgb::drawn& s) { std::swap(s.weight.y, s.weight.z); }),
+          "weight * pdf");
+    t.add("one channel of a lossless one lost", lossless(), tinted<double>(lambert(1.0), V(1, 1, 0.9)),
+          "white furnace is 1");
 }
 
 void wrong_samplers(trials& t) {
@@ -527,7 +567,8 @@ void wrong_samplers(trials& t) {
     b.sample_m = [](const V& v, const U& u) {
         const V vh = glm::normalize(V(0.3 * v.x, 0.3 * v.y, v.z));
         const V t1 = glm::normalize(V(-vh.y, vh.x + 1e-12, 0)), t2 = glm::cross(vh, t1);
-        const double p1 = std::sqrt(u.x) * std::cos(2 * pi<double> * u.y), p2 = std::sqrt(u.x) * std::sin(2 * pi<double> * u.y);
+        const double p1 = std::sqrt(u.x) * std::cos(2 * pi<double> * u.y),
+                     p2 = std::sqrt(u.x) * std::sin(2 * pi<double> * u.y);
         const V nh = p1 * t1 + p2 * t2 + std::sqrt(std::max(0.0, 1 - p1 * p1 - p2 * p2)) * vh;
         return glm::normalize(V(0.3 * nh.x, 0.3 * nh.y, std::max(0.0, nh.z)));
     };
@@ -551,12 +592,14 @@ void wrong_samplers(trials& t) {
     t.add("u.x clamped to 0.97", b, "means of sample");
 
     const material<double> lambertian = lambert(0.8), glossy = visible;
-    t.add("no pdf: half of the azimuth", without_pdf(resampled(lambertian, [](const V&, const U&, drawn& s) { s.l.y = std::abs(s.l.y); })),
+    t.add("no pdf: half of the azimuth",
+          without_pdf(resampled(lambertian, [](const V&, const U&, drawn& s) { s.l.y = std::abs(s.l.y); })),
           "weighted means");
     t.add("no pdf: uniform, weighted as cosine",
           without_pdf(resampled(lambertian,
                                 [](const V& v, const U& u, drawn& s) {
-                                    if (v.z > 0 && u.x > 0) s.l = spherical(u.x, 2 * pi<double> * u.y), s.pdf = s.l.z / pi<double>;
+                                    if (v.z > 0 && u.x > 0)
+                                        s.l = spherical(u.x, 2 * pi<double> * u.y), s.pdf = s.l.z / pi<double>;
                                     if (u.x == 0) s = {};
                                 })),
           "weighted means");
@@ -577,7 +620,8 @@ void wrong_samplers(trials& t) {
     t.add("uniform samples, weight of the cosine",
           with_pdf(resampled(lambertian,
                              [](const V& v, const U& u, drawn& s) {
-                                 if (v.z > 0 && u.x > 0) s = {spherical(u.x, 2 * pi<double> * u.y), 0.8, 1 / (2 * pi<double>)};
+                                 if (v.z > 0 && u.x > 0)
+                                     s = {spherical(u.x, 2 * pi<double> * u.y), 0.8, 1 / (2 * pi<double>)};
                              }),
                    uniform_pdf),
           "weight * pdf");
@@ -585,30 +629,35 @@ void wrong_samplers(trials& t) {
           with_pdf(resampled(lambertian,
                              [](const V& v, const U& u, drawn& s) {
                                  if (v.z > 0)
-                                     s.l = spherical(u.x, 2 * pi<double> * u.y), s.weight = 3.2 * s.l.z, s.pdf = 1 / (4 * pi<double>);
+                                     s.l = spherical(u.x, 2 * pi<double> * u.y), s.weight = 3.2 * s.l.z,
+                                     s.pdf = 1 / (4 * pi<double>);
                              }),
                    [](const V& v, const V& l, double) { return above(v, l) ? 1 / (4 * pi<double>) : 0; }),
           "integral of the pdf", "factor 2");
     t.add("cosine samples, a root forgotten",
           resampled(lambertian,
                     [](const V& v, const U& u, drawn& s) {
-                        if (v.z > 0) s.l = spherical(std::sqrt(1 - u.x * u.x), 2 * pi<double> * u.y), s.pdf = s.l.z / pi<double>;
+                        if (v.z > 0)
+                            s.l = spherical(std::sqrt(1 - u.x * u.x), 2 * pi<double> * u.y), s.pdf = s.l.z / pi<double>;
                     }),
           "chi-squared");
 
-    for (const auto& [name, brdf] :
-         {std::pair<std::string, material<double>>{"GGX", glossy}, {"Lambert", lambertian}, {"mixture", glazed(glaze())}}) {
-        t.add(name + ", weight 0.5 % off", resampled(brdf, [](const V&, const U&, drawn& s) { s.weight *= 1.005; }), "weight * pdf",
-              "same factor");
-        t.add(name + ", pdf() 0.5 % off", with_pdf(brdf, [](const V&, const V&, double p) { return 1.005 * p; }), "pdf(v, sample.l)",
-              "same factor");
+    for (const auto& [name, brdf] : {std::pair<std::string, material<double>>{"GGX", glossy},
+                                     {"Lambert", lambertian},
+                                     {"mixture", glazed(glaze())}}) {
+        t.add(name + ", weight 0.5 % off", resampled(brdf, [](const V&, const U&, drawn& s) { s.weight *= 1.005; }),
+              "weight * pdf", "same factor");
+        t.add(name + ", pdf() 0.5 % off", with_pdf(brdf, [](const V&, const V&, double p) { return 1.005 * p; }),
+              "pdf(v, sample.l)", "same factor");
         const auto both = [](const V&, const U&, drawn& s) { s.weight /= 1.005, s.pdf *= 1.005; };
         t.add(name + ", pdf 0.5 % up, weight 0.5 % down",
-              with_pdf(resampled(brdf, both), [](const V&, const V&, double p) { return 1.005 * p; }), "integral of the pdf");
+              with_pdf(resampled(brdf, both), [](const V&, const V&, double p) { return 1.005 * p; }),
+              "integral of the pdf");
         t.add(name + ", the same, no pdf()", without_pdf(resampled(brdf, both)), "mean weight");
     }
     t.add("NDF samples, weights clamped",
-          resampled(material<double>(ggx(0.5, draws::all)), [](const V&, const U&, drawn& s) { s.weight = std::min(s.weight, 1.0); }),
+          resampled(material<double>(ggx(0.5, draws::all)),
+                    [](const V&, const U&, drawn& s) { s.weight = std::min(s.weight, 1.0); }),
           "weight * pdf");
 
     const auto other_width = ggx(0.5).operator material<double>();
@@ -627,12 +676,14 @@ void wrong_samplers(trials& t) {
                     }),
           "pdf(v, sample.l)");
     t.add("pdf() in another frame",
-          with_pdf<double>(material<double>(brushed),
-                           [pdf = turned_frame<double>(brushed, 0.2).pdf](const V& v, const V& l, double) { return pdf(v, l); }),
+          with_pdf<double>(material<double>(brushed), [pdf = turned_frame<double>(brushed, 0.2).pdf](
+                                                          const V& v, const V& l, double) { return pdf(v, l); }),
           "pdf(v, sample.l)");
-    t.add("pdf() of l and v exchanged", with_pdf(glossy, [pdf = glossy.pdf](const V& v, const V& l, double) { return pdf(l, v); }),
+    t.add("pdf() of l and v exchanged",
+          with_pdf(glossy, [pdf = glossy.pdf](const V& v, const V& l, double) { return pdf(l, v); }),
           "pdf(v, sample.l)");
-    t.add("pdf() nothing on one side", with_pdf(glossy, [](const V&, const V& l, double p) { return l.x > 0.2 ? 0 : p; }),
+    t.add("pdf() nothing on one side",
+          with_pdf(glossy, [](const V&, const V& l, double p) { return l.x > 0.2 ? 0 : p; }),
           "pdf > 0 where f_cos > 0");
 
     selection is;
@@ -672,11 +723,11 @@ void wrong_samplers(trials& t) {
             [b = selected_by<V>(2, 0.3), change](const V& v, const V& u) { return change(b, v, u); },
             [b = selected_by<V>(2, 0.3)](const V& v, const V& l) { return b.pdf(v, l); });
     };
-    t.add("third number, a share 5 % off", not_reciprocal(), third([](const auto& b, const V& v, const V& u) {
-              return b.sample(v, V(u.x, u.y, 0.95 * u.z));
-          }),
+    t.add("third number, a share 5 % off", not_reciprocal(),
+          third([](const auto& b, const V& v, const V& u) { return b.sample(v, V(u.x, u.y, 0.95 * u.z)); }),
           "means of sample");
-    t.add("third number, pdf 0.5 % up, weight 0.5 % down", not_reciprocal(), third([](const auto& b, const V& v, const V& u) {
+    t.add("third number, pdf 0.5 % up, weight 0.5 % down", not_reciprocal(),
+          third([](const auto& b, const V& v, const V& u) {
               drawn s = b.sample(v, u);
               return s.pdf *= 1.005, s.weight /= 1.005, s;
           }),
@@ -684,9 +735,10 @@ void wrong_samplers(trials& t) {
     t.add("third number used for u.x", not_reciprocal(),
           third([](const auto& b, const V& v, const V& u) { return b.sample(v, V(u.z, u.y, u.z)); }), "chi-squared");
     t.add("third number at m, samples of a wider lobe", not_reciprocal(),
-          lobe::testkit::functions([b = selecting_at_m{}](const V& v, const V& l) { return b.f_cos(v, l); },
-                                   [b = selecting_at_m{}](const V& v, const V& u) { return b.sample(v, V(0.95 * u.x, u.y, u.z)); },
-                                   [b = selecting_at_m{}](const V& v, const V& l) { return b.pdf(v, l); }),
+          lobe::testkit::functions(
+              [b = selecting_at_m{}](const V& v, const V& l) { return b.f_cos(v, l); },
+              [b = selecting_at_m{}](const V& v, const V& u) { return b.sample(v, V(0.95 * u.x, u.y, u.z)); },
+              [b = selecting_at_m{}](const V& v, const V& l) { return b.pdf(v, l); }),
           "means of sample");
 
     t.add("a tenth thrown away, not counted",
@@ -695,11 +747,13 @@ void wrong_samplers(trials& t) {
                         if (u.y < 0.1) s = {};
                     }),
           "integral of the pdf");
-    t.add("reflected at -m", resampled(glossy, [](const V&, const U&, drawn& s) { s.l = -s.l; }), "sample vanishes below", "reflect(i, m)");
-    t.add("reflected to the side of v", resampled(glossy, [](const V&, const U&, drawn& s) { s.l = V(-s.l.x, -s.l.y, s.l.z); }),
-          "weight * pdf", "(-x, -y, z)");
-    t.add("y of the samples has the wrong sign", resampled(glossy, [](const V&, const U&, drawn& s) { s.l.y = -s.l.y; }), "chi-squared",
-          "(x, -y, z)");
+    t.add("reflected at -m", resampled(glossy, [](const V&, const U&, drawn& s) { s.l = -s.l; }),
+          "sample vanishes below", "reflect(i, m)");
+    t.add("reflected to the side of v",
+          resampled(glossy, [](const V&, const U&, drawn& s) { s.l = V(-s.l.x, -s.l.y, s.l.z); }), "weight * pdf",
+          "(-x, -y, z)");
+    t.add("y of the samples has the wrong sign",
+          resampled(glossy, [](const V&, const U&, drawn& s) { s.l.y = -s.l.y; }), "chi-squared", "(x, -y, z)");
     t.add("failed samples with a weight",
           without_pdf(resampled(glossy,
                                 [](const V&, const U&, drawn& s) {
@@ -736,37 +790,44 @@ void wrong_samplers(trials& t) {
 void wrong_values(trials& t) {
     const material<double> glossy = ggx(0.3), base = lambert(0.5);
     t.add("negative below the horizon",
-          without_sample(with_f_cos(base, [](const V& v, const V& l, double) { return v.z > 0 ? 0.5 * l.z / pi<double> : 0; })),
+          without_sample(
+              with_f_cos(base, [](const V& v, const V& l, double) { return v.z > 0 ? 0.5 * l.z / pi<double> : 0; })),
           "f_cos is not negative");
-    t.add("positive below the horizon (abs)",
-          without_sample(with_f_cos(base, [](const V&, const V& l, double) { return 0.5 * std::abs(l.z) / pi<double>; })),
-          "f_cos vanishes below", "abs");
+    t.add(
+        "positive below the horizon (abs)",
+        without_sample(with_f_cos(base, [](const V&, const V& l, double) { return 0.5 * std::abs(l.z) / pi<double>; })),
+        "f_cos vanishes below", "abs");
     t.add("GGX with abs of the cosines",
           without_sample(with_f_cos(glossy,
                                     [](const V& v, const V& l, double) {
                                         if (v.z == 0) return 0.0;
-                                        const V a(v.x, v.y, std::abs(v.z)), b(l.x, l.y, std::abs(l.z)), m = glm::normalize(a + b);
+                                        const V a(v.x, v.y, std::abs(v.z)), b(l.x, l.y, std::abs(l.z)),
+                                            m = glm::normalize(a + b);
                                         return ggx_D(m, 0.3) * ggx_G2(a, b, 0.3, 0.3) / (4 * a.z);
                                     })),
           "f_cos vanishes below", "abs");
     t.add("a little light below: 1e-9",
-          without_sample(with_f_cos(base, [](const V& v, const V& l, double f) { return v.z > 0 && l.z < 0 ? 1e-9 : f; })),
+          without_sample(
+              with_f_cos(base, [](const V& v, const V& l, double f) { return v.z > 0 && l.z < 0 ? 1e-9 : f; })),
           "f_cos vanishes below");
     t.add("0/0 where v is at the horizon",
-          without_sample(with_f_cos(glossy, [](const V& v, const V& l, double f) { return v.z == 0 && l.z > 0 ? 0 / v.z : f; })),
+          without_sample(
+              with_f_cos(glossy, [](const V& v, const V& l, double f) { return v.z == 0 && l.z > 0 ? 0 / v.z : f; })),
           "f_cos is finite");
-    t.add(
-        "0/0 at v = l = n",
-        without_sample(with_f_cos(glossy, [](const V& v, const V& l, double f) { return v.z == 1 && l.z == 1 ? std::acos(1 + 1e-9) : f; })),
-        "f_cos is finite");
+    t.add("0/0 at v = l = n",
+          without_sample(with_f_cos(
+              glossy, [](const V& v, const V& l, double f) { return v.z == 1 && l.z == 1 ? std::acos(1 + 1e-9) : f; })),
+          "f_cos is finite");
     t.add("0/0 where v and l are opposite",
-          without_sample(with_f_cos(glossy, [](const V& v, const V& l, double f) { return f + 0 * glm::normalize(v + l).z; })),
+          without_sample(
+              with_f_cos(glossy, [](const V& v, const V& l, double f) { return f + 0 * glm::normalize(v + l).z; })),
           "f_cos is finite");
-    t.add(
-        "0/0 of one u: log(0)",
-        without_pdf(resampled(glossy, [](const V&, const U& u,
-                                         drawn& s) { s.weight *= u.x == 0 ? std::sqrt(-1 - std::log(u.x)) * 0 + std::log(u.x) * 0 : 1; })),
-        "sample is finite");
+    t.add("0/0 of one u: log(0)",
+          without_pdf(resampled(glossy,
+                                [](const V&, const U& u, drawn& s) {
+                                    s.weight *= u.x == 0 ? std::sqrt(-1 - std::log(u.x)) * 0 + std::log(u.x) * 0 : 1;
+                                })),
+          "sample is finite");
     t.add("0/0 of u.x just below 1",
           without_pdf(resampled(base,
                                 [](const V&, const U& u, drawn& s) {
@@ -774,21 +835,25 @@ void wrong_values(trials& t) {
                                 })),
           "sample is finite");
     t.add("infinite at the mirror of v",
-          without_sample(
-              with_f_cos(glossy, [](const V& v, const V& l,
-                                    double f) { return above(v, l) && v.x == -l.x && v.y == -l.y ? f / std::abs(v.x + l.x) : f; })),
+          without_sample(with_f_cos(glossy,
+                                    [](const V& v, const V& l, double f) {
+                                        return above(v, l) && v.x == -l.x && v.y == -l.y ? f / std::abs(v.x + l.x) : f;
+                                    })),
           "f_cos is finite");
     t.add("0/0 at v = l",
-          without_sample(
-              with_f_cos(glossy, [](const V& v, const V& l,
-                                    double f) { return f > 0 ? f * (1 + 0 * std::sqrt(1 / (1 - std::min(1.0, glm::dot(v, l))))) : f; })),
+          without_sample(with_f_cos(glossy,
+                                    [](const V& v, const V& l, double f) {
+                                        return f > 0 ? f * (1 + 0 * std::sqrt(1 / (1 - std::min(1.0, glm::dot(v, l)))))
+                                                     : f;
+                                    })),
           "f_cos is finite");
     t.add("power of a negative cosine", without_sample(diffuse<double>([](const V& v, const V& l) {
               return 0.2 / pi<double> + 0.1 * std::pow(glm::dot(V(-v.x, -v.y, v.z), l), 10.5);
           })),
           "f_cos is finite");
-    t.add("odd power of a negative cosine",
-          without_sample(diffuse<double>([](const V& v, const V& l) { return 0.02 + 0.1 * std::pow(glm::dot(V(-v.x, -v.y, v.z), l), 5); })),
+    t.add("odd power of a negative cosine", without_sample(diffuse<double>([](const V& v, const V& l) {
+              return 0.02 + 0.1 * std::pow(glm::dot(V(-v.x, -v.y, v.z), l), 5);
+          })),
           "f_cos is not negative");
     t.add("pdf() infinite at the normal",
           with_pdf(glossy,
@@ -797,23 +862,26 @@ void wrong_values(trials& t) {
                        return p > 0 && h.x == 0 && h.y == 0 ? p / (h.x * h.x) : p;
                    }),
           "pdf is finite");
-    t.add("pdf() negative on one side", with_pdf(glossy, [](const V&, const V& l, double p) { return l.x > 0.5 ? -p : p; }),
-          "pdf is not negative");
+    t.add("pdf() negative on one side",
+          with_pdf(glossy, [](const V&, const V& l, double p) { return l.x > 0.5 ? -p : p; }), "pdf is not negative");
 
     // Right almost everywhere.
-    t.add("wrong below cos(theta_v) = 0.05", without_sample(altered(glossy, 2.0, [](const V& v, const V&) { return v.z < 0.05; })),
-          "reciprocity");
-    t.add("wrong below cos(theta_v) = 0.001", without_sample(altered(glossy, 2.0, [](const V& v, const V&) { return v.z < 0.001; })),
-          "reciprocity");
-    t.add("wrong in 5 degrees of the azimuth of l",
-          without_sample(altered(glossy, 0.9, [](const V&, const V& l) { return std::abs(azimuth_of(l) - 1) < 0.044; })), "reciprocity");
+    t.add("wrong below cos(theta_v) = 0.05",
+          without_sample(altered(glossy, 2.0, [](const V& v, const V&) { return v.z < 0.05; })), "reciprocity");
+    t.add("wrong below cos(theta_v) = 0.001",
+          without_sample(altered(glossy, 2.0, [](const V& v, const V&) { return v.z < 0.001; })), "reciprocity");
+    t.add(
+        "wrong in 5 degrees of the azimuth of l",
+        without_sample(altered(glossy, 0.9, [](const V&, const V& l) { return std::abs(azimuth_of(l) - 1) < 0.044; })),
+        "reciprocity");
     t.add("wrong in 5 degrees, sampled",
-          altered(glossy, 0.9, [](const V& v, const V& l) { return std::abs(std::sin(azimuth_of(l) + azimuth_of(v) - 1)) < 0.044; }),
+          altered(glossy, 0.9,
+                  [](const V& v, const V& l) { return std::abs(std::sin(azimuth_of(l) + azimuth_of(v) - 1)) < 0.044; }),
           "weight * pdf");
-    t.add("a step of 1 % across the plane x = 0", altered(glossy, 0.99, [](const V& v, const V& l) { return v.x * l.x > 0; }),
-          "weight * pdf");
-    t.add("wrong where v and l are close", altered(glossy, 1.1, [](const V& v, const V& l) { return glm::dot(v, l) > 0.999; }),
-          "weight * pdf");
+    t.add("a step of 1 % across the plane x = 0",
+          altered(glossy, 0.99, [](const V& v, const V& l) { return v.x * l.x > 0; }), "weight * pdf");
+    t.add("wrong where v and l are close",
+          altered(glossy, 1.1, [](const V& v, const V& l) { return glm::dot(v, l) > 0.999; }), "weight * pdf");
     const auto narrow = [](const V& v) { return v.z > 0 && std::abs(azimuth_of(v) + 2) < 0.044; };
     t.add("weight wrong in 5 degrees of v",
           without_pdf(resampled(glossy,
@@ -821,7 +889,8 @@ void wrong_values(trials& t) {
                                     if (narrow(v)) s.weight *= 0.9;
                                 })),
           "weight * pdf");
-    t.add("pdf() wrong in 5 degrees of v", with_pdf(glossy, [narrow](const V& v, const V&, double p) { return narrow(v) ? 1.1 * p : p; }),
+    t.add("pdf() wrong in 5 degrees of v",
+          with_pdf(glossy, [narrow](const V& v, const V&, double p) { return narrow(v) ? 1.1 * p : p; }),
           "pdf(v, sample.l)");
     t.add("weight wrong below cos(theta_v) = 0.005",
           without_pdf(resampled(glossy,
@@ -868,28 +937,35 @@ std::vector<trial> right_ones() {
     t.add("Beckmann 0.3, float", material<float>(beckmann(0.3f)));
     t.add("Beckmann 0.1", beckmann(0.1));
     t.add("Blinn-Phong 200", blinn_phong(200.0));
-    t.add("mixture GGX 0.01 + 0.5", mixture<double>(with_F(ggx(0.01), schlick(0.04)), with_F(ggx(0.5), [](double) { return 0.04; }), 0.2));
+    t.add("mixture GGX 0.01 + 0.5",
+          mixture<double>(with_F(ggx(0.01), schlick(0.04)), with_F(ggx(0.5), [](double) { return 0.04; }), 0.2));
     t.add("white glaze, lossless", lossless(), glazed(glaze()));
     t.add("white glaze, selected with 0.9, lossless", lossless(), glazed(glaze(), 0.9));
     t.add("specular + (1 - E(v)) diffuse, declared", lossless_not_reciprocal(),
-          mixture<double>(glaze(), diffuse<double>([](const V& v, const V&) { return (1 - glaze_albedo()(v.z)) / pi<double>; }), 0.5));
+          mixture<double>(glaze(),
+                          diffuse<double>([](const V& v, const V&) { return (1 - glaze_albedo()(v.z)) / pi<double>; }),
+                          0.5));
     t.add("Kulla-Conty, lossless", lossless(), compensated(metal_albedo()));
     t.add("scaled by 1/E(v), declared", lossless_not_reciprocal(),
-          resampled(with_f_cos(material<double>(ggx(0.5)), [](const V& v, const V&, double f) { return f / metal_albedo()(v.z); }),
+          resampled(with_f_cos(material<double>(ggx(0.5)),
+                               [](const V& v, const V&, double f) { return f / metal_albedo()(v.z); }),
                     [](const V& v, const U&, drawn& s) { s.weight /= metal_albedo()(v.z); }));
     t.add("Lambert", lossless(), lambert(1.0));
     t.add("Lambert, float, claimed isotropic", isotropic(), lambert(0.8f));
-    t.add("Lambert, uniform samples", with_pdf(resampled(lambert(0.8),
-                                                         [](const V& v, const U& u, drawn& s) {
-                                                             if (v.z > 0)
-                                                                 s.l = spherical(u.x, 2 * pi<double> * u.y), s.weight = 1.6 * s.l.z,
-                                                                 s.pdf = 1 / (2 * pi<double>);
-                                                         }),
-                                               [](const V& v, const V& l, double) { return above(v, l) ? 1 / (2 * pi<double>) : 0; }));
+    t.add("Lambert, uniform samples",
+          with_pdf(resampled(lambert(0.8),
+                             [](const V& v, const U& u, drawn& s) {
+                                 if (v.z > 0)
+                                     s.l = spherical(u.x, 2 * pi<double> * u.y), s.weight = 1.6 * s.l.z,
+                                     s.pdf = 1 / (2 * pi<double>);
+                             }),
+                   [](const V& v, const V& l, double) { return above(v, l) ? 1 / (2 * pi<double>) : 0; }));
     t.add("Oren-Nayar", diffuse<double>([](const V& v, const V& l) { return oren_nayar(v, l, 0.8, 0.5); }));
-    t.add("Oren-Nayar, float", diffuse<float>([](const vec3<float>& v, const vec3<float>& l) { return oren_nayar(v, l, 0.8f, 0.3f); }));
+    t.add("Oren-Nayar, float",
+          diffuse<float>([](const vec3<float>& v, const vec3<float>& l) { return oren_nayar(v, l, 0.8f, 0.3f); }));
     t.add("Burley", diffuse<double>([](const V& v, const V& l) { return burley(v, l, 0.6, 0.8); }));
-    t.add("Lommel-Seeliger", diffuse<double>([](const V& v, const V& l) { return 0.9 / (4 * pi<double> * (v.z + l.z)); }));
+    t.add("Lommel-Seeliger",
+          diffuse<double>([](const V& v, const V& l) { return 0.9 / (4 * pi<double> * (v.z + l.z)); }));
     facets cavity = ggx(0.3, draws::all);
     cavity.G = [](const V& v, const V& l, const V& m) { return v_cavity(v, l, m); };
     t.add("V-cavities", with_F(drawing_all(cavity), schlick(0.5)));
@@ -898,7 +974,9 @@ std::vector<trial> right_ones() {
     step.D = [](const V& m) { return m.z * m.z > 1 / (1 + 0.09) ? (1 + 0.09) / (0.09 * pi<double>) : 0; };
     step.G = [](const V& v, const V& l, const V& m) { return v_cavity(v, l, m); };
     step = drawing_all(step);
-    step.sample_m = [](const V&, const U& u) { return spherical(std::sqrt(1 - u.x * (0.09 / 1.09)), 2 * pi<double> * u.y); };
+    step.sample_m = [](const V&, const U& u) {
+        return spherical(std::sqrt(1 - u.x * (0.09 / 1.09)), 2 * pi<double> * u.y);
+    };
     t.add("a distribution with a rim", step);
 
     t.add("GGX 0.03, float, drawn by sqrt(1 - c*c)", [] {
@@ -909,10 +987,12 @@ std::vector<trial> right_ones() {
         };
         return material<float>(b);
     }());
-    t.add("a spike of 0.001 on Lambert", mixture<double>(with_F(ggx(0.003), [](double) { return 0.001; }), lambert(0.9), 0.1));
-    t.add("spikes and Lambert in one spectrum", [spike = material<double>(ggx(0.005)), base = lambert(0.9)](const V& v, const V& l) {
-        return V(spike.f_cos(v, l), base.f_cos(v, l), 0);
-    });
+    t.add("a spike of 0.001 on Lambert",
+          mixture<double>(with_F(ggx(0.003), [](double) { return 0.001; }), lambert(0.9), 0.1));
+    t.add("spikes and Lambert in one spectrum",
+          [spike = material<double>(ggx(0.005)), base = lambert(0.9)](const V& v, const V& l) {
+              return V(spike.f_cos(v, l), base.f_cos(v, l), 0);
+          });
     t.add("stripes", without_sample(with_f_cos(lambert(0.9), [](const V& v, const V& l, double f) {
               return f > 0 && std::sin(60 * glm::normalize(v + l).x) > 0 ? f : 0.3 * f;
           })));
@@ -932,8 +1012,12 @@ std::vector<trial> right_ones() {
     t.add("two-sided", [] {
         material<double> m = ggx(0.3);
         const auto flipped = [](const V& w) { return V(w.x, w.y, -w.z); };
-        m.f_cos = [f = m.f_cos, flipped](const V& v, const V& l) { return v.z < 0 ? f(flipped(v), flipped(l)) : f(v, l); };
-        m.pdf = [pdf = m.pdf, flipped](const V& v, const V& l) { return v.z < 0 ? pdf(flipped(v), flipped(l)) : pdf(v, l); };
+        m.f_cos = [f = m.f_cos, flipped](const V& v, const V& l) {
+            return v.z < 0 ? f(flipped(v), flipped(l)) : f(v, l);
+        };
+        m.pdf = [pdf = m.pdf, flipped](const V& v, const V& l) {
+            return v.z < 0 ? pdf(flipped(v), flipped(l)) : pdf(v, l);
+        };
         m.sample = [sample = m.sample, flipped](const V& v, const U& u) {
             auto s = sample(v.z < 0 ? flipped(v) : v, u);
             if (v.z < 0) s.l = flipped(s.l);
@@ -960,7 +1044,9 @@ std::vector<trial> right_ones() {
           }));
     t.add("u exchanged and reversed", [] {
         material<double> m = ggx(0.3);
-        m.sample = [sample = m.sample](const V& v, const U& u) { return sample(v, U(std::min(1 - u.y, 1 - 1e-16), u.x)); };
+        m.sample = [sample = m.sample](const V& v, const U& u) {
+            return sample(v, U(std::min(1 - u.y, 1 - 1e-16), u.x));
+        };
         return m;
     }());
     t.add("dim: 1e-5 of a GGX, float", tinted<float>(ggx(0.3f), vec3<float>(1e-5f)));
@@ -978,10 +1064,12 @@ std::vector<trial> right_ones() {
         const double c = above(v, l) ? l.z : 0;
         return std::array<double, 4>{0, 0.1 * c, 0.2 * c, 0.3 * c};
     });
-    t.add("world space, float", [frame = std::array<vec3<float>, 3>{vec3<float>(0.36f, 0.48f, -0.8f), vec3<float>(-0.8f, 0.6f, 0.0f),
+    t.add("world space, float", [frame = std::array<vec3<float>, 3>{vec3<float>(0.36f, 0.48f, -0.8f),
+                                                                    vec3<float>(-0.8f, 0.6f, 0.0f),
                                                                     vec3<float>(0.48f, 0.64f, 0.6f)},
                                  brdf = material<float>(ggx(0.15f))](const vec3<float>& v, const vec3<float>& l) {
-        const vec3<float> V_ = v.x * frame[0] + v.y * frame[1] + v.z * frame[2], L = l.x * frame[0] + l.y * frame[1] + l.z * frame[2];
+        const vec3<float> V_ = v.x * frame[0] + v.y * frame[1] + v.z * frame[2],
+                          L = l.x * frame[0] + l.y * frame[1] + l.z * frame[2];
         const vec3<float> H = glm::normalize(V_ + L), N = frame[2];
         const float nv = glm::dot(N, V_), nl = glm::dot(N, L), nh = glm::dot(N, H), a2 = 0.15f * 0.15f;
         if (v.z <= 0 || l.z <= 0 || nv <= 0 || nl <= 0) return 0.0f;
@@ -1007,9 +1095,11 @@ std::vector<trial> misused_ones() {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     const auto constant = [](double c) { return [c](const V&, const V&) { return c; }; };
     t.add(
-        "throws", [](const V&, const V&) -> double { throw std::runtime_error("no texture"); }, "no exception", "no texture");
+        "throws", [](const V&, const V&) -> double { throw std::runtime_error("no texture"); }, "no exception",
+        "no texture");
     t.add(
-        "throws an int, sometimes", [](const V& v, const V& l) { return v.z < 0.2 && v.z > 0 ? throw 7 : l.z; }, "no exception");
+        "throws an int, sometimes", [](const V& v, const V& l) { return v.z < 0.2 && v.z > 0 ? throw 7 : l.z; },
+        "no exception");
     t.add("throws in sample",
           resampled(lambert(0.5),
                     [](const V& v, const U&, drawn&) {
@@ -1056,16 +1146,17 @@ std::vector<trial> misused_ones() {
             return m;
         }(),
         "sample is finite");
-    t.add("samples of NaN directions, l.z aside", resampled(lambert(0.5), [nan](const V&, const U&, drawn& s) { s.l.x = nan; }),
-          "sample is finite");
+    t.add("samples of NaN directions, l.z aside",
+          resampled(lambert(0.5), [nan](const V&, const U&, drawn& s) { s.l.x = nan; }), "sample is finite");
     t.add("random numbers", [state = std::make_shared<std::uint32_t>(1u)](const V&, const V&) {
         *state = *state * 1664525u + 1013904223u;
         return static_cast<double>(*state) * 0x1p-32;
     });
-    t.add("every sample the same l", resampled(lambert(0.5), [](const V&, const U&, drawn& s) { s.l = V(0, 0.6, 0.8); }), "samples follow",
+    t.add("every sample the same l",
+          resampled(lambert(0.5), [](const V&, const U&, drawn& s) { s.l = V(0, 0.6, 0.8); }), "samples follow",
           "one and the same direction");
-    t.add("every sample fails", resampled(lambert(0.5), [](const V&, const U&, drawn& s) { s = {}; }), "integral of the pdf",
-          "most samples fail");
+    t.add("every sample fails", resampled(lambert(0.5), [](const V&, const U&, drawn& s) { s = {}; }),
+          "integral of the pdf", "most samples fail");
     t.add("takes degrees of cosines: reads l.z only", [](const V&, const V& l) { return l.z; });
     return t.all;
 }
@@ -1085,12 +1176,12 @@ bool as_expected(const trial& t, bool right) {
         properties += (properties.empty() ? "" : "; ") + f.property;
     }
     const bool good = right ? r.passed() : !r.passed() && named;
-    std::printf("%s %-46s %-6s %.2f s  %s\n", good ? "  " : "!!", t.name.c_str(), r.passed() ? "passed" : "FAILED", seconds,
-                properties.c_str());
+    std::printf("%s %-46s %-6s %.2f s  %s\n", good ? "  " : "!!", t.name.c_str(), r.passed() ? "passed" : "FAILED",
+                seconds, properties.c_str());
     if (!good && right)
         for (const auto& f : findings)
-            std::printf("       %s: %.9g, expected %.9g +- %.3g\n       %s\n       at %s\n", f.property.c_str(), f.measured, f.expected,
-                        f.tolerance, f.meaning.c_str(), f.input.c_str());
+            std::printf("       %s: %.9g, expected %.9g +- %.3g\n       %s\n       at %s\n", f.property.c_str(),
+                        f.measured, f.expected, f.tolerance, f.meaning.c_str(), f.input.c_str());
     return good;
 }
 

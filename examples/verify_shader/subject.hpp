@@ -1,5 +1,5 @@
-// What one line `//! verify` of a GLSL file asks for. What is made of the shader fills these in, and main.cpp gives
-// them to the test kit.
+// What one line `//! verify` of a GLSL file asks for. The translated shader fills these in, main.cpp gives them to the
+// test kit.
 #pragma once
 
 #include <lobe/testkit/options.hpp>

@@ -1,4 +1,5 @@
-// The test kit: it judges any BRDF, distribution of normals, Fresnel reflectance or point set, and includes no model of lobe.
+// The test kit: it judges any BRDF, distribution of normals, Fresnel reflectance or point set, and includes no model of
+// lobe.
 #pragma once
 
 #include <lobe/testkit/subject/adapters.hpp>

@@ -1,4 +1,5 @@
-// Glue for GoogleTest: EXPECT_TRUE(passed(verify(brdf))) prints the report where it fails. (Catch2 needs none: REQUIRE(verify(brdf)).)
+// Glue for GoogleTest: EXPECT_TRUE(passed(verify(brdf))) prints the report where it fails. (Catch2 needs none:
+// REQUIRE(verify(brdf)).)
 #pragma once
 
 #include <lobe/testkit/verdict/report.hpp>

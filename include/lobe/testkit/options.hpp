@@ -21,12 +21,15 @@ struct options {
     bool reciprocal = true;  // f(v,l) = f(l,v): no compensation or diffuse weight that looks at one direction only is
     bool lossless = false;   // the white furnace returns exactly 1: F = 1 and all scattering counted
     std::optional<bool>
-        isotropic;            // nothing changes when v and l turn about the normal; unset: as `isotropic` of the type says, else no claim
-    bool zero_below = false;  // f_cos is 0 also where v is below the horizon and l above it (l below, v above: always asked for)
+        // nothing changes when v and l turn about the normal; unset: as `isotropic` of the type says, else no claim
+        isotropic;
+    // f_cos is 0 also where v is below the horizon and l above it (l below, v above: always asked for)
+    bool zero_below = false;
     bool area_below = false;  // projected_area is right below the horizon, too
 
     // Claims about a Fresnel reflectance, or a set of points.
-    bool flat_at_normal = true;   // dF/dcos = 0 at normal incidence: all bare interfaces in unpolarised light, no thin films
+    // dF/dcos = 0 at normal incidence: all bare interfaces in unpolarised light, no thin films
+    bool flat_at_normal = true;
     bool low_discrepancy = true;  // more evenly spread than random points
 };
 

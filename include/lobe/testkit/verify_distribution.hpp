@@ -5,6 +5,7 @@
 #include <lobe/testkit/properties/normalisation.hpp>
 #include <lobe/testkit/properties/normals.hpp>
 #include <lobe/testkit/verdict/attempt.hpp>
+#include <lobe/testkit/verdict/last_words.hpp>
 
 #include <array>
 #include <cmath>
@@ -43,13 +44,17 @@ report verdict_on(const distribution_functions<T>& ndf, const options& o) {
     if (!r.passed()) return r;
     distribution<T> n(ndf, o);
     report found("");
+    last_words words([&](line& out) { n.last.write(out); });
     const auto part = [&](const auto& f) {
         attempt(
             found, [&] { return n.last.text(); }, f);
     };
     part([&] { sweep(n); });
     for (const auto& property : {normalisation<T>, isotropy_of_D<T>, areas<T>, all_normals<T>, visible_normals<T>})
-        part([&] { property(n, found); });
+        part([&] {
+            property(n, found);
+            words.so_far = found.text();
+        });
     values_of_distribution(n, r);
     for (const check& c : found.checks()) r.add(c);
     return r;
@@ -57,12 +62,17 @@ report verdict_on(const distribution_functions<T>& ndf, const options& o) {
 
 }  // namespace detail
 
-/// Judges any type with `D(m)`, or a function of m that returns it: the density of normals in 1/sr, m unit, in tangent space. Verified
-/// where they exist: one of `projected_area(w)`, `lambda(w)`, `G1(w)` (Smith); `sample(u)` and `pdf(m)`; `sample_visible(v, u)` and
-/// `pdf_visible(v, m)`.
+/// Judges any type with `D(m)`, or a function of m that returns it: the density of normals in 1/sr, m unit, in tangent
+/// space. Verified where they exist: one of `projected_area(w)`, `lambda(w)`, `G1(w)` (Smith); `sample(u)` and
+/// `pdf(m)`; `sample_visible(v, u)` and `pdf_visible(v, m)`.
 template <class N>
 [[nodiscard]] report verify_distribution(const N& ndf, const options& o = {}) {
-    return detail::verdict_on(detail::interface_of_distribution(ndf), o);
+    constexpr bool fits = detail::distribution_fits<N, double> || detail::distribution_fits<N, float>;
+    static_assert(fits, "no D(m), nor a call (m), that is const, takes a glm::vec3 or glm::dvec3 and returns a number");
+    if constexpr (fits)
+        return detail::verdict_on(detail::interface_of_distribution(ndf), o);
+    else
+        return report(o.name);
 }
 
 }  // namespace lobe::testkit

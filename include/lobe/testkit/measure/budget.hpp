@@ -11,8 +11,9 @@ struct budget {
     double tolerance;          // of one integral, relative
 };
 inline budget budget_of(effort e) {
-    return e == effort::quick ? budget{.views = 9, .pairs = 4096, .strata = 96, .evaluations = 24000, .tolerance = 3e-4}
-                              : budget{.views = 32, .pairs = 100000, .strata = 384, .evaluations = 200000, .tolerance = 5e-5};
+    return e == effort::quick
+               ? budget{.views = 9, .pairs = 4096, .strata = 96, .evaluations = 24000, .tolerance = 3e-4}
+               : budget{.views = 32, .pairs = 100000, .strata = 384, .evaluations = 200000, .tolerance = 5e-5};
 }
 
 /// Of a furnace, or of a share of samples: less than this is neither lost nor gained.

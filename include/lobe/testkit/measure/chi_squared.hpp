@@ -17,6 +17,7 @@ inline double chi_squared_tail(double x, double k) {
 
 struct bin {
     double expected, observed;
+    double variance = 0;  // of what is expected, itself found by chance
 };
 
 /// Neighbouring bins merged until each expects `at_least`.
@@ -26,6 +27,7 @@ inline std::vector<bin> merged(const std::vector<bin>& bins, double at_least) {
     for (const bin& b : bins) {
         sum.expected += b.expected;
         sum.observed += b.observed;
+        sum.variance += b.variance;
         if (sum.expected >= at_least) {
             out.push_back(sum);
             sum = {0, 0};
@@ -36,6 +38,7 @@ inline std::vector<bin> merged(const std::vector<bin>& bins, double at_least) {
     } else {
         out.back().expected += sum.expected;
         out.back().observed += sum.observed;
+        out.back().variance += sum.variance;
     }
     return out;
 }
@@ -44,7 +47,7 @@ inline std::vector<bin> merged(const std::vector<bin>& bins, double at_least) {
 inline double chi_squared_probability(const std::vector<bin>& bins) {
     if (bins.size() < 6) return 1;
     double sum = 0;
-    for (const bin& b : bins) sum += (b.observed - b.expected) * (b.observed - b.expected) / b.expected;
+    for (const bin& b : bins) sum += (b.observed - b.expected) * (b.observed - b.expected) / (b.expected + b.variance);
     return chi_squared_tail(sum, static_cast<double>(bins.size() - 1));
 }
 

@@ -15,7 +15,8 @@ inline double squared_l2_star_discrepancy(const std::vector<vec2<double>>& p) {
     for (std::size_t i = 0; i < p.size(); ++i) {
         single += (1 - p[i].x * p[i].x) * (1 - p[i].y * p[i].y) / 4;
         pairs += (1 - p[i].x) * (1 - p[i].y);
-        for (std::size_t j = 0; j < i; ++j) pairs += 2 * (1 - (std::max)(p[i].x, p[j].x)) * (1 - (std::max)(p[i].y, p[j].y));
+        for (std::size_t j = 0; j < i; ++j)
+            pairs += 2 * (1 - (std::max)(p[i].x, p[j].x)) * (1 - (std::max)(p[i].y, p[j].y));
     }
     return 1.0 / 9 - 2 * single / n + pairs / (n * n);
 }

@@ -4,12 +4,15 @@
 #include <lobe/testkit/measure/budget.hpp>
 #include <lobe/testkit/measure/jumps.hpp>
 #include <lobe/testkit/measure/mesh.hpp>
+#include <lobe/testkit/measure/second_opinion.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -17,8 +20,8 @@
 
 namespace lobe::testkit::detail {
 
-/// A box of numbers in which the sampler does not jump, but for curves. The edges of x and y are magnified, u = t^2 (3 - 2 t): tails, and
-/// directions that reflection loses, lie there.
+/// A box of numbers in which the sampler does not jump, but for curves. The edges of x and y are magnified, u = t^2 (3
+/// - 2 t): tails, and directions that reflection loses, lie there.
 template <class T>
 struct box {
     std::array<T, 3> low{}, high{};
@@ -36,17 +39,13 @@ struct box {
     static double magnification(double t) { return 6 * t * (1 - t); }
 };
 
-/// `draw(u)` returns a direction where the sampler succeeds. The square is cut where it jumps to another lobe, and the boxes lie side by
-/// side in one mesh, which is fine from the start along the border between samples that succeed and that fail: an adaptive rule alone
-/// steps over a narrow tongue of it. What lies beyond the last step of a float in a box, where heavy tails may hide, counts as error.
+/// `draw(u)` returns a direction where the sampler succeeds. The square is cut where it jumps to another lobe, and the
+/// boxes lie side by side in one mesh, which is fine from the start along the border between samples that succeed and
+/// that fail: an adaptive rule alone steps over a narrow tongue of it. What lies beyond the last step of a float in a
+/// box, where heavy tails may hide, counts as error.
 template <class T>
 class expectation {
 public:
-    template <std::size_t N>
-    struct mean {
-        std::array<double, N> value{}, error{};
-    };
-
     expectation(drawing<T> sampler, int how_many) : draw(std::move(sampler)), numbers(how_many) {
         const jumps<T> found(draw, numbers);
         selects = found.selects;
@@ -59,14 +58,17 @@ public:
         for (std::size_t z = 0; z + 1 < ends[2].size(); ++z)
             for (std::size_t y = 0; y + 1 < ends[1].size(); ++y)
                 for (std::size_t x = 0; x + 1 < ends[0].size(); ++x)
-                    boxes.push_back({{ends[0][x], ends[1][y], ends[2][z]}, {ends[0][x + 1], ends[1][y + 1], ends[2][z + 1]}});
+                    boxes.push_back(
+                        {{ends[0][x], ends[1][y], ends[2][z]}, {ends[0][x + 1], ends[1][y + 1], ends[2][z + 1]}});
     }
 
-    /// The mean of value(u) over all u; the first `driving` decide where to look, the first `colours` are the colours of one thing.
+    /// The mean of value(u) over all u; the first `driving` decide where to look, the first `colours` are the colours
+    /// of one thing.
     template <std::size_t N>
-    mean<N> of(const std::function<std::array<double, N>(const vec3<T>& u)>& value, const budget& b, std::size_t driving,
-               std::size_t colours) const {
-        return selects ? over_boxes<N>(value, b, driving, colours) : by_chance<N>(value);
+    doubtable<N> of(const std::function<std::array<double, N>(const vec3<T>& u)>& value, const budget& b,
+                    std::size_t driving, std::size_t colours) const {
+        if (!selects) return {by_chance<N>(value, 11), [this, value] { return by_chance<N>(value, 13); }};
+        return over_boxes<N>(value, b, driving, colours);
     }
 
     drawing<T> draw;
@@ -77,36 +79,47 @@ private:
     using integrand = std::function<std::array<double, N>(const vec3<T>& u)>;
 
     template <std::size_t N>
-    mean<N> over_boxes(const integrand<N>& value, const budget& b, std::size_t driving, std::size_t colours) const {
+    doubtable<N> over_boxes(const integrand<N>& value, const budget& b, std::size_t driving,
+                            std::size_t colours) const {
         const std::size_t count = boxes.size();
         const int columns = (std::max)(6, 16 / static_cast<int>(count));
         const auto scaled = static_cast<double>(count);
-        mesh<N> m(
-            [&](double x, double y) {
+        const auto m = std::make_shared<mesh<N>>(
+            [this, value, count, scaled](double x, double y) {
                 const std::size_t which = (std::min)(static_cast<std::size_t>(x * scaled), count - 1);
                 const double local = x * scaled - static_cast<double>(which);
                 std::array<double, N> out = value(boxes[which].at(local, y));
-                const double size = boxes[which].volume() * scaled * box<T>::magnification(local) * box<T>::magnification(y);
+                const double size =
+                    boxes[which].volume() * scaled * box<T>::magnification(local) * box<T>::magnification(y);
                 for (double& k : out) k *= size;
                 return out;
             },
             count == 1 ? 16 : columns * static_cast<int>(count), 16, driving);
         const int n = count == 1 ? 64 : count < 5 ? 32 : 16;
         for (std::size_t which = 0; which < count; ++which)
-            for (const auto& [x, y] : border(boxes[which], n)) m.refine_at((static_cast<double>(which) + x) / scaled, y, 2);
-        m.refine(b.tolerance, colours, b.evaluations);
+            for (const auto& [x, y] : border(boxes[which], n))
+                m->refine_at((static_cast<double>(which) + x) / scaled, y, 2);
+        m->refine(b.tolerance, colours, b.evaluations);
 
-        mean<N> out{m.integral(), m.error()};
+        std::array<double, N> beyond{};
         if constexpr (std::is_same_v<T, float>)
             for (const box<T>& a : boxes)
                 for (int i = 0; i < 16; ++i)
                     for (const std::size_t axis : {0u, 1u}) {
-                        const double along = box<T>::magnified((i + 0.5) / 16), width = 8 * 0x1p-24 / 16 * a.size(1 - axis) * a.size(2);
-                        const auto edge = [&](double end) { return value(axis == 0 ? a.at(end, along) : a.at(along, end)); };
-                        add_sizes<N>(out.error, edge(1), width);
-                        if (a.low[axis] > T(0)) add_sizes<N>(out.error, edge(0), width);
+                        const double along = box<T>::magnified((i + 0.5) / 16),
+                                     width = 8 * 0x1p-24 / 16 * a.size(1 - axis) * a.size(2);
+                        const auto edge = [&](double end) {
+                            return value(axis == 0 ? a.at(end, along) : a.at(along, end));
+                        };
+                        add_sizes<N>(beyond, edge(1), width);
+                        if (a.low[axis] > T(0)) add_sizes<N>(beyond, edge(0), width);
                     }
-        return out;
+        const auto with_beyond = [beyond](estimate<N> e) {
+            add_sizes<N>(e.error, beyond, 1);
+            return e;
+        };
+        return {with_beyond({m->integral(), m->error()}),
+                [m, with_beyond] { return with_beyond(second_opinion(*m).all); }};
     }
 
     /// Corners of n^2 squares between which samples begin to fail.
@@ -116,24 +129,26 @@ private:
         std::vector<std::array<double, 2>> out;
         for (int i = 0; i < n * (n - 1); ++i) {
             const auto at = static_cast<std::size_t>(i), above = static_cast<std::size_t>(i + n);
-            if (ok[at] != ok[above] || (i % n < n - 1 && ok[at] != ok[at + 1])) out.push_back({(i % n + 1.0) / n, (i / n + 1.0) / n});
+            if (ok[at] != ok[above] || (i % n < n - 1 && ok[at] != ok[at + 1]))
+                out.push_back({(i % n + 1.0) / n, (i / n + 1.0) / n});
         }
         return out;
     }
 
-    /// Where the third number does more than select a lobe, no mesh of the square will do: the mean of 32 means, each of one sample in each
-    /// of 12^3 cubes. The error is six times what their spread says: exceeded by one in 1e6, where the tails are not heavy (Student, 31
-    /// degrees of freedom).
+    /// Where the third number does more than select a lobe, no mesh of the square will do: the mean of 32 means, each
+    /// of one sample in each of 12^3 cubes. The error is six times what their spread says: exceeded by one in 1e6,
+    /// where the tails are not heavy (Student, 31 degrees of freedom).
     template <std::size_t N>
-    mean<N> by_chance(const integrand<N>& value) const {
+    static estimate<N> by_chance(const integrand<N>& value, std::uint64_t seed) {
         constexpr int rounds = 32, n = 12;
-        generator random(11);
-        mean<N> out;
+        generator random(seed);
+        estimate<N> out;
         std::array<double, N> squares{};
         for (int i = 0; i < rounds; ++i) {
             std::array<double, N> sum{};
             for (int k = 0; k < n * n * n; ++k) {
-                const double x = (k % n + random()) / n, y = (k / n % n + random()) / n, z = (k / (n * n) + random()) / n;
+                const double x = (k % n + random()) / n, y = (k / n % n + random()) / n,
+                             z = (k / (n * n) + random()) / n;
                 const std::array<double, N> one = value({below_one<T>(x), below_one<T>(y), below_one<T>(z)});
                 for (std::size_t c = 0; c < N; ++c) sum[c] += one[c] / (n * n * n);
             }

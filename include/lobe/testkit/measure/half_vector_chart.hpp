@@ -1,4 +1,5 @@
-// The hemisphere of directions as the unit square, by the half vector with a fixed direction: lobes of every width are wide in it.
+// The hemisphere of directions as the unit square, by the half vector with a fixed direction: lobes of every width are
+// wide in it.
 #pragma once
 
 #include <lobe/core/vector.hpp>
@@ -10,9 +11,10 @@
 
 namespace lobe::testkit::detail {
 
-/// l = reflect(v, m), m at the azimuth phi = 2 pi y (from near that of v: on it, ridges would run along the edges of cells, unseen) and the
-/// slope r = r_max(phi) x^4: a peak of slope width 1e-4 about m = n is as wide in x as one of width 1. r_max(phi) is the horizon of l,
-/// exactly: l.z = 0 where r = 1/(b + sqrt(b^2 + 1)), b = (v.x cos phi + v.y sin phi)/v.z.
+/// l = reflect(v, m), m at the azimuth phi = 2 pi y (from near that of v: on it, ridges would run along the edges of
+/// cells, unseen) and the slope r = r_max(phi) x^4: a peak of slope width 1e-4 about m = n is as wide in x as one of
+/// width 1. r_max(phi) is the horizon of l, exactly: l.z = 0 where r = 1/(b + sqrt(b^2 + 1)), b = (v.x cos phi + v.y
+/// sin phi)/v.z.
 class half_vector_chart {
 public:
     explicit half_vector_chart(const vec3<double>& fixed) : v(fixed), azimuth(std::atan2(fixed.y, fixed.x) + 0.3) {}

@@ -1,4 +1,5 @@
-// Where a sampler turns to another lobe: the values of one of its numbers at which its samples jump, whatever the others are.
+// Where a sampler turns to another lobe: the values of one of its numbers at which its samples jump, whatever the
+// others are.
 #pragma once
 
 #include <lobe/testkit/measure/random.hpp>
@@ -20,13 +21,15 @@ namespace lobe::testkit::detail {
 template <class T>
 using drawing = std::function<std::optional<vec3<T>>(const vec3<T>& u)>;
 
-/// Looks along lines: an interval across which samples move further than across its neighbours is cut, and halved until it holds one step
-/// of T. A jump that is there on other lines, too, is the border of a lobe; one that is not is a curve in the square, left to the mesh.
+/// Looks along lines: an interval across which samples move further than across its neighbours is cut, and halved until
+/// it holds one step of T. A jump that is there on other lines, too, is the border of a lobe; one that is not is a
+/// curve in the square, left to the mesh.
 template <class T>
 class jumps {
 public:
     std::array<std::vector<T>, 3> at{};  // increasing, in (0,1): the first number after the jump
-    bool selects = true;                 // the third number does nothing between its jumps, which are the same for all x and y
+    // the third number does nothing between its jumps, which are the same for all x and y
+    bool selects = true;
 
     jumps(const drawing<T>& sampler, int numbers) : draw(sampler) {
         for (int axis = 0; axis < numbers; ++axis) {
@@ -77,7 +80,8 @@ private:
         return out;
     }
 
-    /// Intervals across which samples move more than across their neighbours: the second largest of four, for jumps come in pairs.
+    /// Intervals across which samples move more than across their neighbours: the second largest of four, for jumps
+    /// come in pairs.
     static std::vector<std::size_t> suspects(const scan& s) {
         std::vector<double> apart;
         for (std::size_t i = 0; i + 1 < s.o.size(); ++i) apart.push_back(distance(s.o[i], s.o[i + 1]));
@@ -106,10 +110,12 @@ private:
         std::vector<T> found;
         for (const std::size_t i : suspects(coarse)) {
             std::vector<T> between;
-            for (int k = 0; k <= 12; ++k) between.push_back(coarse.x[i] + (coarse.x[i + 1] - coarse.x[i]) * static_cast<T>(k) / T(12));
+            for (int k = 0; k <= 12; ++k)
+                between.push_back(coarse.x[i] + (coarse.x[i + 1] - coarse.x[i]) * static_cast<T>(k) / T(12));
             const scan fine = scanned(axis, l, std::move(between));
             for (const std::size_t k : suspects(fine))
-                if (const auto jump = halved(axis, l, fine.x[k], fine.o[k], fine.x[k + 1], fine.o[k + 1])) found.push_back(*jump);
+                if (const auto jump = halved(axis, l, fine.x[k], fine.o[k], fine.x[k + 1], fine.o[k + 1]))
+                    found.push_back(*jump);
         }
         return found;
     }
@@ -134,7 +140,8 @@ private:
     bool is_jump(int axis, const line& l, T x) const {
         const T d = (std::max)(4 * step(x), static_cast<T>(1e-7) * (std::min)(x, T(1) - x));
         if (!(x - 3 * d > T(0)) || !(x + 3 * d < T(1))) return true;
-        const outcome a = on(axis, l, x - 3 * d), b = on(axis, l, x - d), c = on(axis, l, x + d), e = on(axis, l, x + 3 * d);
+        const outcome a = on(axis, l, x - 3 * d), b = on(axis, l, x - d), c = on(axis, l, x + d),
+                      e = on(axis, l, x + 3 * d);
         return distance(b, c) > 4 * (std::max)(distance(a, b), distance(c, e)) + least;
     }
 
@@ -145,7 +152,8 @@ private:
         ends.push_back(T(1));
         for (std::size_t i = 0; i + 1 < ends.size(); ++i)
             for (const line& l : lines)
-                if (distance(on(2, l, ends[i] + (ends[i + 1] - ends[i]) / 3), on(2, l, ends[i] + (ends[i + 1] - ends[i]) * T(0.7))) > least)
+                if (distance(on(2, l, ends[i] + (ends[i + 1] - ends[i]) / 3),
+                             on(2, l, ends[i] + (ends[i + 1] - ends[i]) * T(0.7))) > least)
                     return true;
         return false;
     }

@@ -1,4 +1,4 @@
-// Integrals over a rectangle by an adaptive mesh, which finds narrow peaks by itself and whose cells then serve as bins.
+// Integrals over a rectangle by an adaptive mesh, which finds narrow peaks; its cells then serve as bins.
 #pragma once
 
 #include <lobe/core/cpp20.hpp>
@@ -13,9 +13,9 @@
 
 namespace lobe::testkit {
 
-/// The unit square, cut into cells by the degree-7 rule of Genz & Malik 1980, "An adaptive algorithm for numerical integration over
-/// an N-dimensional rectangular region": 17 points a cell, its embedded degree-5 rule for the error, the fourth differences for the
-/// direction of the next cut. Integrates N functions at once; the first `driving` of them decide where to cut.
+/// The unit square, cut into cells by the degree-7 rule of Genz & Malik 1980, "An adaptive algorithm for numerical
+/// integration over an N-dimensional rectangular region": 17 points a cell, its embedded degree-5 rule for the error,
+/// the fourth differences for the next cut. Integrates N functions; the first `driving` of them decide where to cut.
 template <std::size_t N>
 class mesh {
 public:
@@ -39,13 +39,16 @@ public:
             }
     }
 
-    /// Cuts the cells around (x, y) until they are 2^-halvings of the first ones: for a peak that is known to be possible there.
+    /// Cuts the cells around (x, y) until they are 2^-halvings of the first ones: for a peak that is known to be
+    /// possible there.
     void refine_at(double x, double y, int halvings) {
         const double width = std::ldexp(1.0 / nx, -halvings), height = std::ldexp(1.0 / ny, -halvings);
         for (std::size_t at = 0; at < cells_.size(); ++at) {  // the loop reaches the new cells, too
             const cell c = cells_[at];
-            const bool beside = std::abs(x - c.x0 - c.width / 2) <= c.width && std::abs(y - c.y0 - c.height / 2) <= c.height;
-            if (c.leaf() && beside && (c.width > 1.5 * width || c.height > 1.5 * height)) cut(at, c.width * nx >= c.height * ny);
+            const double from_x = x - c.x0 - c.width / 2, from_y = y - c.y0 - c.height / 2;
+            const bool beside = std::abs(from_x) <= c.width && std::abs(from_y) <= c.height;
+            const bool large = c.width > 1.5 * width || c.height > 1.5 * height;
+            if (c.leaf() && beside && large) cut(at, c.width * nx >= c.height * ny);
         }
     }
 
@@ -64,16 +67,17 @@ public:
         }
     }
 
-    /// Cuts the cells that carry half of the error, until the error of every driving integral is below `tolerance`, relative to itself (the
-    /// first `colours` of them, which are the colours of one thing, to the largest); or until the evaluations are spent, be it on rounding
-    /// that no cut makes smaller. The cells are graded in either case.
+    /// Cuts the cells that carry half of the error, until the error of every driving integral is below `tolerance`,
+    /// relative to itself (the first `colours` of them, which are the colours of one thing, to the largest); or until
+    /// the evaluations are spent, be it on rounding that no cut makes smaller. The cells are graded in either case.
     void refine(double tolerance, std::size_t colours, long max_evaluations) {
         for (;;) {
             sum_up();
             values scale{};
             double brightest = 0;
             for (std::size_t k = 0; k < colours; ++k) brightest = (std::max)(brightest, std::abs(total_[k]));
-            for (std::size_t k = 0; k < driving; ++k) scale[k] = (std::max)(k < colours ? brightest : std::abs(total_[k]), 1e-9);
+            for (std::size_t k = 0; k < driving; ++k)
+                scale[k] = (std::max)(k < colours ? brightest : std::abs(total_[k]), 1e-9);
             const auto open = [&](std::size_t k) { return error_[k] > tolerance * scale[k]; };
             bool done = evaluations_ >= max_evaluations;
             if (!done) {
@@ -103,13 +107,15 @@ public:
         }
     }
 
-    /// Cuts cells that are more than 4 times as wide or high as a neighbour that matters: a ridge leads from that one into them, unseen.
+    /// Cuts cells that are more than 4 times as wide or high as a neighbour that matters: a ridge leads from that one
+    /// into them, unseen.
     bool grade() {
         std::vector<std::pair<std::size_t, bool>> too_large;
         for (const cell& c : cells_) {
             if (!c.leaf()) continue;
             bool matters = false;
-            for (std::size_t k = 0; k < driving; ++k) matters = matters || std::abs(c.integral[k]) > 1e-5 * std::abs(total_[k]);
+            for (std::size_t k = 0; k < driving; ++k)
+                matters = matters || std::abs(c.integral[k]) > 1e-5 * std::abs(total_[k]);
             if (!matters) continue;
             const double x = c.x0 + c.width / 2, y = c.y0 + c.height / 2, out = 0.51;
             for (const auto& [dx, dy] : {std::pair(out, 0.0), {-out, 0.0}, {0.0, out}, {0.0, -out}}) {
@@ -127,15 +133,18 @@ public:
         return !too_large.empty();
     }
 
+    values at(double x, double y) const { return f(x, y); }
     const values& integral() const { return total_; }
-    /// Estimated, and usually far too large.
+    /// By the two rules of different degree: usually far too large, but nothing where the integrand jumps between the
+    /// points.
     const values& error() const { return error_; }
     long evaluations() const { return evaluations_; }
     const std::vector<cell>& cells() const { return cells_; }
 
     /// The leaf that holds the point.
     std::size_t find(double x, double y) const {
-        const int i = std::clamp(static_cast<int>(x * nx), 0, nx - 1), j = std::clamp(static_cast<int>(y * ny), 0, ny - 1);
+        const int i = std::clamp(static_cast<int>(x * nx), 0, nx - 1),
+                  j = std::clamp(static_cast<int>(y * ny), 0, ny - 1);
         std::size_t at = static_cast<std::size_t>(j * nx + i);
         while (!cells_[at].leaf()) {
             const std::size_t low = static_cast<std::size_t>(cells_[at].child);
@@ -178,7 +187,8 @@ private:
         cells_[at].cut_x = across_x;
         cells_[at].child = static_cast<int>(cells_.size());
         const cell whole = cells_[at];
-        cell low{whole.x0, whole.y0, across_x ? whole.width / 2 : whole.width, across_x ? whole.height : whole.height / 2};
+        cell low{whole.x0, whole.y0, across_x ? whole.width / 2 : whole.width,
+                 across_x ? whole.height : whole.height / 2};
         cell high = low;
         (across_x ? high.x0 : high.y0) += across_x ? low.width : low.height;
         for (cell* half : {&low, &high}) {
@@ -191,7 +201,8 @@ private:
         const double x = c.x0 + c.width / 2, y = c.y0 + c.height / 2, hx = c.width / 2, hy = c.height / 2;
         const double inner = std::sqrt(9.0 / 70), outer = std::sqrt(9.0 / 10), corner = std::sqrt(9.0 / 19);
         evaluations_ += 17;
-        values middle = f(x, y), along_inner{}, along_outer{}, diagonal_outer{}, diagonal_corner{}, fourth_x{}, fourth_y{};
+        values middle = f(x, y), along_inner{}, along_outer{}, diagonal_outer{}, diagonal_corner{}, fourth_x{},
+               fourth_y{};
         const auto accumulate = [&](values& sum, double dx, double dy) {
             const values v = f(x + dx * hx, y + dy * hy);
             for (std::size_t k = 0; k < N; ++k) sum[k] += v[k];
@@ -217,14 +228,14 @@ private:
         const double area = c.width * c.height;
         double dx = 0, dy = 0, size = 1e-300;
         for (std::size_t k = 0; k < N; ++k) {
-            c.integral[k] = area * (-3816.0 / 19683 * middle[k] + 980.0 / 6561 * along_inner[k] + 1020.0 / 19683 * along_outer[k] +
-                                    200.0 / 19683 * diagonal_outer[k] + 6859.0 / 19683 / 4 * diagonal_corner[k]);
-            const double degree_5 = area * (-971.0 / 729 * middle[k] + 245.0 / 486 * along_inner[k] + 65.0 / 1458 * along_outer[k] +
-                                            25.0 / 729 * diagonal_outer[k]);
+            const double m = middle[k], i = along_inner[k], o = along_outer[k], d = diagonal_outer[k];
+            c.integral[k] = area * (-3816.0 / 19683 * m + 980.0 / 6561 * i + 1020.0 / 19683 * o + 200.0 / 19683 * d +
+                                    6859.0 / 19683 / 4 * diagonal_corner[k]);
+            const double degree_5 = area * (-971.0 / 729 * m + 245.0 / 486 * i + 65.0 / 1458 * o + 25.0 / 729 * d);
             c.error[k] = std::abs(c.integral[k] - degree_5);
             if (k < driving && c.error[k] > size) size = c.error[k], dx = fourth_x[k], dy = fourth_y[k];
         }
-        // Where the differences do not decide, the longer side of the cell in units of the first grid.
+        // else the longer side of the cell, in units of the first grid
         c.cut_x = dx > dy || (!(dx < dy) && c.width * nx >= c.height * ny);
     }
 

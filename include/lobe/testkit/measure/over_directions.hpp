@@ -14,9 +14,11 @@ namespace lobe::testkit::detail {
 /// Where a few of the samples lie in a chart.
 using hints = std::vector<std::array<double, 2>>;
 
-/// Refines about the fixed direction, where light may come back, about the normal, and where samples crowd; then until the error is small.
+/// Refines about the fixed direction, where light may come back, about the normal, and where samples crowd; then until
+/// the error is small.
 template <std::size_t N, class Chart>
-void integrate(mesh<N>& m, const Chart& chart, const vec3<double>& fixed, const hints& crowded, const budget& b, std::size_t colours) {
+void integrate(mesh<N>& m, const Chart& chart, const vec3<double>& fixed, const hints& crowded, const budget& b,
+               std::size_t colours) {
     for (const vec3<double>& w : {fixed, vec3<double>{0, 0, 1}}) {
         const auto peak = chart.find(w);
         m.refine_at(peak[0], peak[1], 4);

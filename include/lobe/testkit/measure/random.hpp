@@ -11,7 +11,8 @@
 
 namespace lobe::testkit::detail {
 
-/// Uniform in [0,1), the same on every platform. Each user has a stream of its own: none changes what another one draws.
+/// Uniform in [0,1), the same on every platform. Each user has a stream of its own: none changes what another one
+/// draws.
 class generator {
 public:
     explicit generator(std::uint64_t seed, std::uint64_t stream = 0) : engine(seed + stream * 0x9e3779b97f4a7c15u) {}

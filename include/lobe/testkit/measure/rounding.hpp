@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lobe/testkit/measure/mesh.hpp>
+#include <lobe/testkit/measure/numbers.hpp>
 #include <lobe/testkit/measure/random.hpp>
 #include <lobe/testkit/measure/text.hpp>
 
@@ -18,30 +19,33 @@ namespace lobe::testkit::detail {
 template <class T>
 using of_directions = std::function<double(const vec3<T>& v, const vec3<T>& l)>;
 
-/// How far a value moves when every component of v and l moves by a few units of rounding: what rounding inside the function, or in
-/// its inputs, does to it there.
+/// How far a value moves when every component of v and l moves by a few units of rounding: what rounding inside the
+/// function, or in its inputs, does to it there.
 template <class T>
 double rounding_noise(const of_directions<T>& value, const place<T>& at, int steps = 32) {
     generator random(7);
     const double exact = value(at.v, at.l);
     double noise = 0;
     for (int i = 0; i < steps; ++i) {
-        // Both a little longer or shorter, which changes no half vector but how its components round; then each component.
+        // Both a little longer or shorter, which changes no half vector but how its components round; then each
+        // component.
         const T scale = T(1) + static_cast<T>(2 * random() - 1) * T(16) * std::numeric_limits<T>::epsilon();
         vec3<T> v = at.v * scale, l = at.l * scale;
         for (vec3<T>* w : {&v, &l})
             for (int k = 0; k < 3; ++k) {
                 const double step = (2 * random() - 1) * 4 * static_cast<double>(std::numeric_limits<T>::epsilon());
                 const T moved = static_cast<T>(static_cast<double>((*w)[k]) + step);
-                (*w)[k] = k < 2 || (moved > T(0)) == ((*w)[k] > T(0)) ? moved : (*w)[k] / T(2);  // the horizon is not crossed
+                // the horizon is not crossed
+                (*w)[k] = k < 2 || (moved > T(0)) == ((*w)[k] > T(0)) ? moved : (*w)[k] / T(2);
             }
-        noise = (std::max)(noise, std::abs(value(v, l) - exact));
+        if (const double moved = std::abs(value(v, l) - exact); is_finite(moved)) noise = (std::max)(noise, moved);
     }
     return noise;
 }
 
-/// What rounding inside the function does to an integral of it, relative: on average over the cells that matter. Narrow lobes in float have
-/// a width that rounding alone changes: 1 - c*c and a*a - 1 keep 2^-24/alpha^2 of it. value(v, l): the integrand.
+/// What rounding inside the function does to an integral of it, relative: on average over the cells that matter. Narrow
+/// lobes in float have a width that rounding alone changes: 1 - c*c and a*a - 1 keep 2^-24/alpha^2 of it. value(v, l):
+/// the integrand.
 template <class T, std::size_t N, class Chart>
 double relative_rounding(const mesh<N>& m, const Chart& chart, const vec3<T>& v, const of_directions<T>& value) {
     if constexpr (!std::is_same_v<T, float>) return 0;
@@ -55,7 +59,7 @@ double relative_rounding(const mesh<N>& m, const Chart& chart, const vec3<T>& v,
         const auto& c = m.cells()[leaves[i]];
         const place<T> at{.v = v, .l = vec3<T>(chart(c.x0 + c.width / 2, c.y0 + c.height / 2).l)};
         const double there = std::abs(value(at.v, at.l));
-        if (!(there > 0)) continue;
+        if (!is_finite(there) || !(there > 0)) continue;
         noise += size(leaves[i]) * rounding_noise<T>(value, at, 8) / there;
         all += size(leaves[i]);
     }

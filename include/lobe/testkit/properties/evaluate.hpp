@@ -33,8 +33,9 @@ public:
     }
 
     void report_to(report& r) override {
-        together.report_to(
-            r, [&](const place<T>& at, std::size_t k) { return 2 * (k == N ? this->b.noise_of_pdf(at) : this->b.noise_of_f(at, k)); });
+        together.report_to(r, [&](const place<T>& at, std::size_t k) {
+            return 2 * (k == N ? this->b.noise_of_pdf(at) : this->b.noise_of_f(at, k));
+        });
     }
 
 private:
@@ -54,8 +55,10 @@ public:
                                       "; to verify f_cos alone, pass a lambda that calls it"});
         };
         if (this->b.raw.misfit_sample)
-            misfit(id::sample_callable, "does not take two vectors of 3 and of 2 or 3 numbers, or does not return l, weight and pdf");
-        if (this->b.raw.misfit_pdf) misfit(id::pdf_callable, "does not take two vectors of 3 numbers, or does not return a number");
+            misfit(id::sample_callable,
+                   "does not take two vectors of 3 and of 2 or 3 numbers, or does not return l, weight and pdf");
+        if (this->b.raw.misfit_pdf)
+            misfit(id::pdf_callable, "does not take two vectors of 3 numbers, or does not return a number");
     }
 };
 

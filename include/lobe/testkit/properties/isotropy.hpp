@@ -28,7 +28,8 @@ public:
         const T angle = static_cast<T>(tau * random());
         const values g = this->b.f_cos(rotated(p.v, angle), rotated(p.l, angle));
         for (std::size_t k = 0; k < N; ++k)
-            turned.add(g[k], p.f[k], {.v = p.v, .l = p.l, .u = {angle, T(0), T(0)}}, k);  // the angle is not printed, but needed below
+            // the angle is not printed, but needed below
+            turned.add(g[k], p.f[k], {.v = p.v, .l = p.l, .u = {angle, T(0), T(0)}}, k);
     }
 
     /// A guard at grazing may round the other way at either place.

@@ -32,7 +32,8 @@ void values_of_distribution(distribution<T>& n, report& r) {
                         .measured = n.largest,
                         .expected = n.largest,
                         .meaning = "D returned 0 for every normal: nothing can be verified"});
-    report_values(r, n.of_D, id::D, "light from below the horizon is reflected: the sign of a cosine is lost (abs) or never looked at");
+    report_values(r, n.of_D, id::D,
+                  "light from below the horizon is reflected: the sign of a cosine is lost (abs) or never looked at");
     if (n.raw.area) report_values(r, n.of_area, id::area);
     if (n.raw.sample || n.raw.sample_visible)
         r.add(id::unit_normals, {.passed = n.lengths.holds(),
@@ -46,11 +47,13 @@ void values_of_distribution(distribution<T>& n, report& r) {
 /// The projected areas of all normals add up to the surface.
 template <class T>
 void normalisation(distribution<T>& n, report& r) {
-    per_view unit_area(
-        id::D_integral,
-        "the projected areas of the normals do not add up to the surface: a constant is wrong, a power is lost, or the cosine is");
+    per_view unit_area(id::D_integral, "the projected areas of the normals do not add up to the surface: a constant is "
+                                       "wrong, a power is lost, or the cosine is");
     const auto whole = n.over_normals([&](const vec3<double>& m) { return n.D(vec3<T>(m)) * m.z; });
-    unit_area.add({.measured = whole.value, .expected = 1, .allowed = n.claims.tolerance + whole.error, .v = {0, 0, 1}});
+    unit_area.add([&](bool doubted) -> view_result {
+        const auto [value, error] = whole(doubted);
+        return {.measured = value[0], .expected = 1, .allowed = n.claims.tolerance + error[0], .v = {0, 0, 1}};
+    });
     unit_area.report_to(r);
 }
 

@@ -39,7 +39,8 @@ template <class T>
 void all_normals(distribution<T>& n, report& r) {
     using V = vec3<T>;
     if (n.raw.pdf) {
-        comparison<T> product(id::pdf_of_normals, n.claims.tolerance, "the density of normals is D cos(theta_m), in 1/sr");
+        comparison<T> product(id::pdf_of_normals, n.claims.tolerance,
+                              "the density of normals is D cos(theta_m), in 1/sr");
         generator random(n.claims.seed);
         for (int i = 0; i < n.effort.pairs; ++i) {
             const V m = random_normal<T>(random);
@@ -53,7 +54,8 @@ void all_normals(distribution<T>& n, report& r) {
         density_check<T> density(id::normals, n.claims, 1);
         const expectation<T> over_u([&](const V& u) { return n.sample({u.x, u.y}); }, 2);
         density.add(
-            n.chart, [&](const V&, const V& m) { return n.pdf(m); }, over_u, moments_of_normal, {T(0), T(0), T(1)}, n.claims.seed);
+            n.chart, [&](const V&, const V& m) { return n.pdf(m); }, over_u, moments_of_normal, {T(0), T(0), T(1)},
+            n.claims.seed);
         density.report_to(r);
     }
 }
@@ -69,7 +71,7 @@ void visible_normals(distribution<T>& n, report& r) {
     generator random(n.claims.seed);
     const auto facing = [&](const V& v, const V& m) { return (std::max)(0.0, dot(vec3<double>(v), vec3<double>(m))); };
     for (const V& v : all) {
-        const double exact = n.area_by_quadrature(normalize(vec3<double>(v))).value;
+        const double exact = n.area_by_quadrature(normalize(vec3<double>(v)))(false).value[0];
         const auto visible = [&](const V& m) { return facing(v, m) * n.D(m) / exact; };
         if (n.raw.pdf_visible)
             for (int i = 0; i < n.effort.pairs / 8; ++i) {
@@ -77,13 +79,16 @@ void visible_normals(distribution<T>& n, report& r) {
                 product.add(n.raw.pdf_visible(v, m), visible(m), {.v = v, .l = m});
             }
         const expectation<T> over_u([&](const V& u) { return n.sample_visible(v, {u.x, u.y}); }, 2);
-        const auto pdf = [&](const V& from, const V& m) { return n.raw.pdf_visible ? n.raw.pdf_visible(from, m) : visible(m); };
+        const auto pdf = [&](const V& from, const V& m) {
+            return n.raw.pdf_visible ? computable(n.raw.pdf_visible(from, m)) : visible(m);
+        };
         density.add(n.chart, pdf, over_u, moments_of_normal, v, n.claims.seed);
     }
     density.report_to(r);
     product.report_to(r, [&](const place<T>& at, std::size_t) {
-        const double area = n.area_by_quadrature(normalize(vec3<double>(at.v))).value;
-        return 2 * rounding_noise<T>([&](const V& v, const V& m) { return facing(v, m) * n.raw.D(m); }, at) / (std::max)(1e-30, area);
+        const double area = n.area_by_quadrature(normalize(vec3<double>(at.v)))(false).value[0];
+        return 2 * rounding_noise<T>([&](const V& v, const V& m) { return facing(v, m) * n.raw.D(m); }, at) /
+               (std::max)(1e-30, area);
     });
 }
 

@@ -16,7 +16,8 @@ template <class T, std::size_t N>
 class reciprocity : public brdf_property<T, N> {
 public:
     using typename brdf_property<T, N>::pair, typename brdf_property<T, N>::values, typename brdf_property<T, N>::V;
-    explicit reciprocity(subject<T, N>& judged) : brdf_property<T, N>(judged), both(id::reciprocity, judged.claims.tolerance, why) {}
+    explicit reciprocity(subject<T, N>& judged)
+        : brdf_property<T, N>(judged), both(id::reciprocity, judged.claims.tolerance, why) {}
 
     /// f_cos(v,l) cos(theta_v) is f times both cosines.
     void at_pair(const pair& p) override {
@@ -28,15 +29,19 @@ public:
 
     void report_to(report& r) override {
         both.report_to(r, [&](const place<T>& at, std::size_t k) {
-            const auto with_cosine = [&](const V& v, const V& l) { return this->b.raw.f_cos(v, l)[k] * static_cast<double>(v.z); };
-            return rounding_noise<T>(with_cosine, at) + rounding_noise<T>([&](const V& v, const V& l) { return with_cosine(l, v); }, at);
+            const auto with_cosine = [&](const V& v, const V& l) {
+                return this->b.raw.f_cos(v, l)[k] * static_cast<double>(v.z);
+            };
+            return rounding_noise<T>(with_cosine, at) +
+                   rounding_noise<T>([&](const V& v, const V& l) { return with_cosine(l, v); }, at);
         });
     }
 
 private:
-    static constexpr const char* why = "f(v,l) is not f(l,v): a Fresnel term of n.v or n.l instead of v.h, a masking of one direction "
-                                       "only, or a diffuse weight that looks "
-                                       "at one side (if that is meant: options.reciprocal = false)";
+    static constexpr const char* why =
+        "f(v,l) is not f(l,v): a Fresnel term of n.v or n.l instead of v.h, a masking of one direction "
+        "only, or a diffuse weight that looks "
+        "at one side (if that is meant: options.reciprocal = false)";
     comparison<T> both;
 };
 

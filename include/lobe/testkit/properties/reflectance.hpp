@@ -34,10 +34,9 @@ void range(reflectance<T, N>& f, report& r) {
         T cosine;
         std::string text() const { return "cosine = " + literal(cosine); }
     };
-    extreme low{0, T(0)}, high{1, T(0)}, none{0, T(0)};
+    extreme low{0, T(0)}, high{1, T(0)};
     const auto look = [&](double cosine) {
         for (const double x : f.at(cosine)) {
-            if (!std::isfinite(x)) none = {x, f.last};
             if (x < low.value) low = {x, f.last};
             if (x > high.value) high = {x, f.last};
         }
@@ -45,22 +44,23 @@ void range(reflectance<T, N>& f, report& r) {
     for (int i = 0; i <= n; ++i) look(static_cast<double>(i) / n);
     for (double x = 1; x > 1e-12; x /= 3) look(x), look(1 - x);
     look(static_cast<double>(std::numeric_limits<T>::denorm_min()));
-    const bool finite = same(none.value, 0);
+    const bool finite = f.not_finite == 0;
     r.add(id::F_finite, {.passed = finite,
-                         .measured = none.value,
-                         .input = finite ? "" : none.text(),
+                         .measured = f.none,
+                         .input = finite ? "" : extreme{f.none, f.none_at}.text(),
                          .meaning = "a 0/0, or the root or power of a negative number"});
     r.add(id::F_not_negative, {.passed = low.value >= -rounding,
                                .measured = low.value,
                                .tolerance = rounding,
                                .input = low.text(),
                                .meaning = "a reflectance is at least 0"});
-    r.add(id::F_at_most_1, {.passed = high.value <= 1 + rounding,
-                            .measured = high.value,
-                            .expected = 1,
-                            .tolerance = rounding,
-                            .input = high.text(),
-                            .meaning = "a reflectance is at most 1: the factor (1 - F0) is missing, or F90 is above 1"});
+    r.add(id::F_at_most_1,
+          {.passed = high.value <= 1 + rounding,
+           .measured = high.value,
+           .expected = 1,
+           .tolerance = rounding,
+           .input = high.text(),
+           .meaning = "a reflectance is at most 1: the factor (1 - F0) is missing, or F90 is above 1"});
 }
 
 template <class T, std::size_t N>
@@ -75,20 +75,24 @@ void shape(reflectance<T, N>& f, report& r) {
         const double slope = std::abs(10 * (normal[i] - close[i]) / 1e-4 - (normal[i] - further[i]) / 1e-3) / 9;
         if (slope > steepest) steepest = slope, steep = i;
     }
-    r.add(id::F_rises, {.passed = grazing[k] >= normal[k] - rounding,
-                        .measured = grazing[k],
-                        .expected = normal[k],
-                        .tolerance = rounding,
-                        .input = "cosine = 0 and 1",
-                        .meaning = "F falls towards grazing: F0 and F90 are swapped, or the power is of the cosine instead of 1 - cosine"});
+    r.add(id::F_rises,
+          {.passed = grazing[k] >= normal[k] - rounding,
+           .measured = grazing[k],
+           .expected = normal[k],
+           .tolerance = rounding,
+           .input = "cosine = 0 and 1",
+           .meaning =
+               "F falls towards grazing: F0 and F90 are swapped, or the power is of the cosine instead of 1 - cosine"});
     if (!f.claims.flat_at_normal) return;
     const double allowed = 0.02 + 20 * rounding / 1e-4;
-    r.add(id::F_flat, {.passed = steepest <= allowed,
-                       .measured = steepest,
-                       .tolerance = allowed,
-                       .input = "cosine = 1 - 1e-4, channel " + std::to_string(steep),
-                       .meaning = "dF/dcos is 0 there for every bare interface: 1 - cosine^5 in the place of (1 - cosine)^5, or a power "
-                                  "too low"});
+    r.add(id::F_flat,
+          {.passed = steepest <= allowed,
+           .measured = steepest,
+           .tolerance = allowed,
+           .input = "cosine = 1 - 1e-4, channel " + std::to_string(steep),
+           .meaning =
+               "dF/dcos is 0 there for every bare interface: 1 - cosine^5 in the place of (1 - cosine)^5, or a power "
+               "too low"});
 }
 
 template <class T, std::size_t N>

@@ -8,15 +8,17 @@
 #include <lobe/testkit/verdict/property.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 
 namespace lobe::testkit {
 
 namespace id {
 inline constexpr property_id pdf_at_most_1{"pdf_at_most_1", "integral of the pdf is at most 1"};
-inline constexpr detail::density_ids pdf_of_samples{{"pdf_integral", "integral of the pdf = successes", true},
-                                                    {"pdf_means", "means of samples = means of the pdf", true},
-                                                    {"samples_follow_pdf", "samples follow the pdf (chi-squared)", true}};
+inline constexpr detail::density_ids pdf_of_samples{
+    {"pdf_integral", "integral of the pdf = successes", true},
+    {"pdf_means", "means of samples = means of the pdf", true},
+    {"samples_follow_pdf", "samples follow the pdf (chi-squared)", true}};
 inline constexpr property_id pdf_covers_f{"pdf_covers_f", "pdf > 0 where f_cos > 0"};
 inline constexpr property_id mean_weight{"mean_weight", "mean weight = furnace", true};
 inline constexpr property_id weighted_means{"weighted_means", "weighted means of samples = of f_cos", true};
@@ -32,7 +34,8 @@ class density_of_samples : public brdf_property<T, N> {
 public:
     using typename brdf_property<T, N>::view, typename brdf_property<T, N>::V;
     explicit density_of_samples(subject<T, N>& judged)
-        : brdf_property<T, N>(judged), at_most(id::pdf_at_most_1, "it is no density: a factor or a Jacobian is wrong", relation::at_most),
+        : brdf_property<T, N>(judged),
+          at_most(id::pdf_at_most_1, "it is no density: a factor or a Jacobian is wrong", relation::at_most),
           followed(id::pdf_of_samples, judged.claims, static_cast<int>(views(judged).size())) {}
 
     void at_view(const view& from) override {
@@ -44,18 +47,22 @@ public:
             followed.add(from.chart, pdf, *from.over_u, moments_of, from.v, from.seed);
             return;
         }
-        mesh<1> total(
+        const auto total = std::make_shared<mesh<1>>(
             [&](double x, double y) {
                 const auto p = from.chart(x, y);
                 return mesh<1>::values{pdf(from.v, V(p.l)) * p.area};
             },
             8, 16, 1);
-        integrate(total, from.chart, from.w, {}, brdf.effort, 1);
-        at_most.add({.measured = total.integral()[0],
-                     .expected = 1,
-                     .allowed = brdf.claims.tolerance + total.error()[0],
-                     .v = from.w,
-                     .input = from.text});
+        integrate(*total, from.chart, from.w, {}, brdf.effort, 1);
+        const auto integral = doubtable_integral<1>(total);
+        at_most.add([&](bool doubted) -> view_result {
+            const estimate<1>& E = integral(doubted);
+            return {.measured = E.value[0],
+                    .expected = 1,
+                    .allowed = brdf.claims.tolerance + E.error[0],
+                    .v = from.w,
+                    .input = from.text};
+        });
     }
 
     void report_to(report& r) override {
@@ -76,32 +83,39 @@ public:
     using brdf_property<T, N>::brdf_property;
 
     void at_view(const view& from) override {
-        const auto &E = from.reflected, &W = from.weighted;
-        if (this->b.has_pdf()) {
-            const double total = std::accumulate(E.value.begin(), E.value.end(), 0.0),
-                         error = std::accumulate(E.error.begin(), E.error.end(), 0.0);
-            if (total > 0)
-                covered.add({.measured = total - from.uncovered,
-                             .expected = total,
-                             .allowed = this->b.claims.tolerance * total + error,
-                             .v = from.w,
-                             .input = from.text});
-        }
+        const auto once = from.reflected();
+        if (this->b.has_pdf() && std::accumulate(once.value.begin(), once.value.end(), 0.0) > 0)
+            covered.add([&](bool doubted) -> view_result {
+                const auto E = from.reflected(doubted);
+                const double total = std::accumulate(E.value.begin(), E.value.end(), 0.0),
+                             error = std::accumulate(E.error.begin(), E.error.end(), 0.0);
+                return {.measured = total - E.uncovered,
+                        .expected = total,
+                        .allowed = this->b.claims.tolerance * total + error,
+                        .v = from.w,
+                        .input = from.text};
+            });
         if (!this->b.has_sample()) return;
         for (std::size_t k = 0; k < N; ++k)
-            if (!is_padding<N>(k, E.value[k]))
-                mean_weight.add({.measured = W.value[k],
-                                 .expected = E.value[k],
-                                 .allowed = from.allowed * E.value[k] + E.error[k] + W.error[k] + least_that_counts,
-                                 .v = from.w,
-                                 .input = from.text});
-        if (!(*std::max_element(E.value.begin(), E.value.end()) > 10 * least_that_counts)) return;
+            if (!is_padding<N>(k, once.value[k]))
+                mean_weight.add([&](bool doubted) -> view_result {
+                    const auto E = from.reflected(doubted), W = from.weighted(doubted);
+                    return {.measured = W.value[k],
+                            .expected = E.value[k],
+                            .allowed = from.allowed * E.value[k] + E.error[k] + W.error[k] + least_that_counts,
+                            .v = from.w,
+                            .input = from.text};
+                });
+        if (!(*std::max_element(once.value.begin(), once.value.end()) > 10 * least_that_counts)) return;
         for (std::size_t k = 0; k < 5; ++k)
-            means.add({.measured = W.moment[k],
-                       .expected = E.moment[k],
-                       .allowed = from.allowed * E.moment[k < 3 ? k : k - 3] + E.moment_error[k] + W.moment_error[k],
-                       .v = from.w,
-                       .input = from.text});
+            means.add([&](bool doubted) -> view_result {
+                const auto E = from.reflected(doubted), W = from.weighted(doubted);
+                return {.measured = W.moment[k],
+                        .expected = E.moment[k],
+                        .allowed = from.allowed * E.moment[k < 3 ? k : k - 3] + E.moment_error[k] + W.moment_error[k],
+                        .v = from.w,
+                        .input = from.text};
+            });
     }
 
     void report_to(report& r) override {
@@ -112,9 +126,10 @@ public:
 
 private:
     per_view covered{id::pdf_covers_f, "the sampler never goes where the BRDF reflects: that light is lost"};
-    per_view mean_weight{id::mean_weight, "the estimator is biased: the weight or the pdf does not belong to the samples"};
-    per_view means{id::weighted_means,
-                   "the estimator is biased: the samples are wider, narrower, more tilted or more to one side than their weights say"};
+    per_view mean_weight{id::mean_weight,
+                         "the estimator is biased: the weight or the pdf does not belong to the samples"};
+    per_view means{id::weighted_means, "the estimator is biased: the samples are wider, narrower, more tilted or more "
+                                       "to one side than their weights say"};
 };
 
 /// Weight and density of each sample against the functions.
@@ -123,12 +138,14 @@ class weights : public brdf_property<T, N> {
 public:
     using typename brdf_property<T, N>::sample;
     explicit weights(subject<T, N>& judged)
-        : brdf_property<T, N>(judged), product(id::weight_times_pdf, judged.claims.tolerance, "the weight of a sample is not f_cos / pdf"),
+        : brdf_property<T, N>(judged),
+          product(id::weight_times_pdf, judged.claims.tolerance, "the weight of a sample is not f_cos / pdf"),
           same_pdf(id::same_pdf, judged.claims.tolerance,
                    "sample and pdf are two formulas: another width, another measure, or another lobe") {}
 
     void at_sample(const sample& one) override {
-        for (std::size_t k = 0; k < N; ++k) product.add(one.s.weight[k] * one.s.pdf, one.f[k], one.at, k);
+        for (std::size_t k = 0; k < N; ++k)
+            product.add(one.s.weight[k] * one.s.pdf, one.f[k], one.at, k, one.s.weight[k]);
         if (this->b.has_pdf()) same_pdf.add(this->b.pdf(one.v, one.s.l), one.s.pdf, one.at);
     }
 

@@ -10,8 +10,8 @@
 
 namespace lobe::testkit {
 
-/// A BRDF made of functions: `functions{f_cos}`, `functions{f_cos, sample}`, `functions{f_cos, sample, pdf}`; `no_sample` where there is
-/// none.
+/// A BRDF made of functions: `functions{f_cos}`, `functions{f_cos, sample}`, `functions{f_cos, sample, pdf}`;
+/// `no_sample` where there is none.
 struct no_sample {};
 
 namespace detail {
@@ -49,7 +49,8 @@ struct functions : detail::sampling_part<Sample>, detail::density_part<Pdf> {
     F f;
 
     explicit functions(F f_cos_of, Sample sample_of = {}, Pdf pdf_of = {})
-        : detail::sampling_part<Sample>{std::move(sample_of)}, detail::density_part<Pdf>{std::move(pdf_of)}, f(std::move(f_cos_of)) {}
+        : detail::sampling_part<Sample>{std::move(sample_of)}, detail::density_part<Pdf>{std::move(pdf_of)},
+          f(std::move(f_cos_of)) {}
 
     template <class V>
     auto f_cos(const V& v, const V& l) const -> decltype(f(v, l)) {
@@ -65,8 +66,8 @@ struct sampled_light {
     T pdf;
 };
 
-/// f(v,l) without the cosine as f_cos(v,l) = f cos(theta_l), zero below the horizon: the numbers of the spectrum, which need not know how
-/// to multiply. The type of the vectors is that of the call.
+/// f(v,l) without the cosine as f_cos(v,l) = f cos(theta_l), zero below the horizon: the numbers of the spectrum, which
+/// need not know how to multiply. The type of the vectors is that of the call.
 template <class F>
 auto with_cosine(F f) {
     return [f = std::move(f)]<class T>(const vec3<T>& v, const vec3<T>& l) requires requires { f(v, l); }
@@ -87,8 +88,9 @@ auto with_cosine(F f) {
 /// The order in which a function takes its directions.
 enum class argument { n, v, l };
 
-/// A function of world-space directions as one of tangent space: `in_world<argument::n, argument::l, argument::v>(f)` calls f(n, l, v). The
-/// frame is fixed and oblique, so that no axis is special and n is not (0,0,1). `V` is the function's own vector type.
+/// A function of world-space directions as one of tangent space: `in_world<argument::n, argument::l, argument::v>(f)`
+/// calls f(n, l, v). The frame is fixed and oblique, so that no axis is special and n is not (0,0,1). `V` is the
+/// function's own vector type.
 template <argument... Order, class F>
 auto in_world(F f) {
     return [f = std::move(f)]<class T>(const vec3<T>& v, const vec3<T>& l) requires requires(const vec3<T> w) {
@@ -97,7 +99,9 @@ auto in_world(F f) {
     {
         const frame<T> at(normalize(vec3<T>(T(0.36), T(-0.48), T(0.8))));
         const vec3<T> world_v = at.to_world(v), world_l = at.to_world(l);
-        const auto pick = [&](argument which) { return which == argument::n ? at.n : which == argument::v ? world_v : world_l; };
+        const auto pick = [&](argument which) {
+            return which == argument::n ? at.n : which == argument::v ? world_v : world_l;
+        };
         return f(pick(Order)...);
     };
 }

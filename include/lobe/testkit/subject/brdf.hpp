@@ -35,13 +35,15 @@ concept returns_spectrum = has_any_f_cos<B, V> && requires(const B& b, const V w
     requires is_spectrum<std::remove_cvref_t<decltype(call_f_cos(b, w, w))>>;
 };
 
-/// `B::scalar` where given, else that of the value returned. (What takes double vectors may take float ones: GLM converts silently.)
+/// `B::scalar` where given, else that of the value returned. (What takes double vectors may take float ones: GLM
+/// converts silently.)
 template <class B>
 auto scalar_of_brdf() {
     if constexpr (requires { typename B::scalar; }) {
         return typename B::scalar{};
     } else if constexpr (has_any_f_cos<B, vec3<double>>) {
-        using value = std::remove_cvref_t<decltype(call_f_cos(std::declval<const B&>(), vec3<double>{}, vec3<double>{}))>;
+        using value =
+            std::remove_cvref_t<decltype(call_f_cos(std::declval<const B&>(), vec3<double>{}, vec3<double>{}))>;
         return scalar_of_spectrum<value>{};
     } else {
         return float{};
@@ -57,7 +59,8 @@ struct drawn {
     bool ok = false;  // a density above zero and l above the horizon
 };
 
-/// A stranger's functions, those that exist: the judge is compiled once for a scalar type and a number of channels, not once a BRDF.
+/// A stranger's functions, those that exist: the judge is compiled once for a scalar type and a number of channels, not
+/// once a BRDF.
 template <class T, std::size_t N>
 struct brdf_functions {
     using values = std::array<double, N>;
@@ -70,7 +73,8 @@ struct brdf_functions {
     bool misfit_sample = false, misfit_pdf = false;  // there is a member of that name, but it cannot be called
 };
 
-/// Is there a member of that name, whatever its signature? A class that inherits it twice does not know which one is meant.
+/// Is there a member of that name, whatever its signature? A class that inherits it twice does not know which one is
+/// meant.
 struct named_sample {
     int sample;
 };
@@ -114,7 +118,8 @@ auto interface_of(const B& b) {
     const auto as_drawn = [](const auto& s) {
         return drawn<T, N>{.l = V(s.l), .weight = as_values<N>(s.weight), .pdf = static_cast<double>(s.pdf)};
     };
-    // Two numbers where it takes two. (GLM turns three into two without a word, so what takes two may seem to take three.)
+    // Two numbers where it takes two. (GLM turns three into two without a word, so what takes two may seem to take
+    // three.)
     if constexpr (samples_by<B, V, vec2<T>>) {
         out.sample = [&b, as_drawn](const V& v, const V& u) { return as_drawn(b.sample(v, vec2<T>(u.x, u.y))); };
     } else if constexpr (samples_by<B, V, vec3<T>>) {

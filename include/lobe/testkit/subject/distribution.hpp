@@ -3,6 +3,7 @@
 
 #include <lobe/testkit/measure/budget.hpp>
 #include <lobe/testkit/measure/normal_chart.hpp>
+#include <lobe/testkit/measure/second_opinion.hpp>
 #include <lobe/testkit/options.hpp>
 #include <lobe/testkit/subject/watch.hpp>
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <concepts>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -24,6 +26,7 @@ concept has_D = requires(const N n, const V m) {
 };
 
 template <class V, class N>
+    requires has_D<N, V> || requires(const N n, const V m) { n(m); }
 auto call_D(const N& n, const V& m) {
     if constexpr (has_D<N, V>)
         return n.D(m);
@@ -31,12 +34,18 @@ auto call_D(const N& n, const V& m) {
         return n(m);
 }
 
+template <class N, class T>
+concept distribution_fits = requires(const N n, const vec3<T> m) {
+    static_cast<double>(call_D(n, m));
+};
+
 template <class N>
 auto scalar_of_distribution() {
     if constexpr (requires { typename N::scalar; })
         return typename N::scalar{};
     else if constexpr (requires(const N n) { call_D(n, vec3<double>{}); })
-        return std::conditional_t<std::is_same_v<decltype(call_D(std::declval<const N&>(), vec3<double>{})), float>, float, double>{};
+        return std::conditional_t<std::is_same_v<decltype(call_D(std::declval<const N&>(), vec3<double>{})), float>,
+                                  float, double>{};
     else
         return float{};
 }
@@ -88,7 +97,8 @@ public:
     using V = vec3<T>;
 
     distribution(distribution_functions<T> judged, const options& claimed)
-        : raw(std::move(judged)), claims(claimed), effort(budget_of(claimed.effort)), isotropic(claimed.isotropic.value_or(raw.isotropic)),
+        : raw(std::move(judged)), claims(claimed), effort(budget_of(claimed.effort)),
+          isotropic(claimed.isotropic.value_or(raw.isotropic)),
           area_everywhere(raw.area_everywhere && claimed.area_below) {}
 
     double D(const V& m) {
@@ -104,7 +114,7 @@ public:
         return of_area.see(raw.area(w), last, false);
     }
     /// The density of normals that samples follow.
-    double pdf(const V& m) { return raw.pdf ? raw.pdf(m) : D(m) * static_cast<double>(m.z); }
+    double pdf(const V& m) { return raw.pdf ? computable(raw.pdf(m)) : D(m) * static_cast<double>(m.z); }
 
     /// A normal, where it is one.
     std::optional<V> sample(const vec2<T>& u) {
@@ -115,21 +125,18 @@ public:
     }
 
     /// int max(0, w.m) D(m) dm, by quadrature.
-    struct integral {
-        double value, error;
-    };
-    integral area_by_quadrature(const vec3<double>& w) {
-        return over_normals([&](const vec3<double>& m) { return (std::max)(0.0, dot(w, m)) * D(V(m)); });
+    doubtable<1> area_by_quadrature(const vec3<double>& w) {
+        return over_normals([this, w](const vec3<double>& m) { return (std::max)(0.0, dot(w, m)) * D(V(m)); });
     }
-    integral over_normals(const std::function<double(const vec3<double>& m)>& f) const {
-        mesh<1> over_m(
-            [&](double x, double y) {
+    doubtable<1> over_normals(const std::function<double(const vec3<double>& m)>& f) const {
+        const auto over_m = std::make_shared<mesh<1>>(
+            [this, f](double x, double y) {
                 const auto p = chart(x, y);
                 return mesh<1>::values{f(p.l) * p.area};
             },
             8, 16, 1);
-        over_m.refine(effort.tolerance / 3, 1, effort.evaluations);
-        return {over_m.integral()[0], over_m.error()[0]};
+        over_m->refine(effort.tolerance / 3, 1, effort.evaluations);
+        return doubtable_integral<1>(over_m);
     }
 
     /// Directions to look from.
@@ -157,8 +164,8 @@ public:
 private:
     std::optional<V> checked(const V& m, const place<T>& at) {
         last = at;
-        const double size = lengths.see(m, at);
-        return std::isfinite(size) && m.z > T(0) ? std::optional<V>(m) : std::nullopt;
+        lengths.see(m, at);
+        return all_finite(m) && m.z > T(0) ? std::optional<V>(m) : std::nullopt;
     }
 };
 

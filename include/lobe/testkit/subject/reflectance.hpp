@@ -1,6 +1,7 @@
 // A stranger's Fresnel reflectance before the judge.
 #pragma once
 
+#include <lobe/testkit/measure/numbers.hpp>
 #include <lobe/testkit/options.hpp>
 #include <lobe/testkit/subject/spectrum.hpp>
 
@@ -48,10 +49,18 @@ struct reflectance {
     const fresnel_functions<T, N> raw;
     const options claims;
     T last{};  // where it was asked for
+    long not_finite = 0;
+    double none = 0;  // the first that is no number
+    T none_at{};
 
     std::array<double, N> at(double cosine) {
         last = static_cast<T>(cosine);
-        return raw.at(last);
+        auto out = raw.at(last);
+        for (double& x : out) {
+            if (!is_finite(x) && !not_finite++) none = x, none_at = last;
+            x = computable(x);
+        }
+        return out;
     }
 };
 

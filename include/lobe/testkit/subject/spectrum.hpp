@@ -1,17 +1,19 @@
-// The values of a stranger's function as doubles: of a number, a GLM vector, anything with a size that [] reads, or r, g, b.
+// The values of a stranger's function as doubles: of a number, a GLM vector, anything with a size that [] reads, or r,
+// g, b.
 #pragma once
 
 #include <lobe/core/vector.hpp>
 
+#include <algorithm>
 #include <array>
-#include <cassert>
 #include <cstddef>
 #include <tuple>
 #include <type_traits>
 
 namespace lobe::testkit::detail {
 
-/// The number that a spectrum consists of, and how many: of a number, a GLM vector, anything with a size that [] reads, or r, g, b.
+/// The number that a spectrum consists of, and how many: of a number, a GLM vector, anything with a size that [] reads,
+/// or r, g, b.
 template <class S>
 concept has_size = requires(const S s) {
     std::tuple_size<S>::value;
@@ -42,7 +44,9 @@ template <glm::length_t N, class T, glm::qualifier Q>
 struct spectrum<glm::vec<N, T, Q>> {
     using scalar = T;
     static constexpr std::size_t size = static_cast<std::size_t>(N);
-    static double get(const glm::vec<N, T, Q>& s, std::size_t i) { return static_cast<double>(s[static_cast<glm::length_t>(i)]); }
+    static double get(const glm::vec<N, T, Q>& s, std::size_t i) {
+        return static_cast<double>(s[static_cast<glm::length_t>(i)]);
+    }
 };
 template <has_size S>
 struct spectrum<S> {
@@ -57,7 +61,6 @@ struct spectrum<S> {
     static constexpr std::size_t size = 16;  // its own size is known at run time only
     static double get(const S& s, std::size_t i) {
         const auto count = static_cast<std::size_t>(s.end() - s.begin());
-        assert(count <= size && "a spectrum of at most 16 numbers");
         return i < count ? static_cast<double>(*(s.begin() + static_cast<std::ptrdiff_t>(i))) : 0;
     }
 };
@@ -77,9 +80,14 @@ concept is_spectrum = requires {
 template <class S>
 using scalar_of_spectrum = std::conditional_t<std::is_same_v<typename spectrum<S>::scalar, float>, float, double>;
 
+/// The most numbers that a spectrum of run-time size had, on this thread.
+inline thread_local std::size_t longest_spectrum = 0;
+
 template <std::size_t N, class S>
 std::array<double, N> as_values(const S& s) {
     std::array<double, N> out;
+    if constexpr (has_iterators<S> && !has_size<S>)
+        longest_spectrum = (std::max)(longest_spectrum, static_cast<std::size_t>(s.end() - s.begin()));
     for (std::size_t i = 0; i < N; ++i) out[i] = spectrum<S>::get(s, spectrum<S>::size == 1 ? 0 : i);
     return out;
 }

@@ -18,8 +18,8 @@ public:
     using values = std::array<double, N>;
 
     subject(brdf_functions<T, N> judged, const options& claimed)
-        : raw(std::move(judged)), claims(claimed), effort(budget_of(claimed.effort)), isotropic(claimed.isotropic.value_or(raw.isotropic)) {
-    }
+        : raw(std::move(judged)), claims(claimed), effort(budget_of(claimed.effort)),
+          isotropic(claimed.isotropic.value_or(raw.isotropic)) {}
 
     bool has_pdf() const { return static_cast<bool>(raw.pdf); }
     bool has_sample() const { return static_cast<bool>(raw.sample); }
@@ -56,7 +56,9 @@ public:
         if (s.pdf > 0) {  // a failed sample may carry any l
             for (const T x : {s.l.x, s.l.y, s.l.z}) of_sample.see(static_cast<double>(std::abs(x)), last, false);
             lengths.see(s.l, last);
-            if (!(s.l.z > 0) && carries_light) ++of_sample.below.count, of_sample.below.value = s.weight[0], of_sample.below.at = last;
+            if (!all_finite(s.l)) s.l = V(0);
+            if (!(s.l.z > 0) && carries_light)
+                of_sample.below.add(s.weight[0], last, of_sample.calls, std::abs(s.weight[0]));
         } else if (carries_light) {
             if (!light_without_pdf++) light_place = last;
         }

@@ -1,45 +1,81 @@
-// Counts what is never right in the values of a function: not finite, negative, or positive below the horizon; keeps the first, or worst.
+// Counts what is never right in the values of a function: not finite, negative, or positive below the horizon; keeps
+// the most harmful one.
 #pragma once
 
+#include <lobe/testkit/measure/numbers.hpp>
 #include <lobe/testkit/measure/rounding.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace lobe::testkit::detail {
 
 template <class T>
+bool all_finite(const vec3<T>& w) {
+    return is_finite(static_cast<double>(w.x)) && is_finite(static_cast<double>(w.y)) &&
+           is_finite(static_cast<double>(w.z));
+}
+
+template <class T>
 struct watch {
     struct fault {
-        long count = 0;
+        long count = 0;  // of calls
         double value = 0;
         place<T> at{};
+        int harm = -1;
+        long call = 0;
+
+        /// Where it does more harm; there, the larger `size`.
+        void add(double x, const place<T>& where, long of_call, double size = 0) {
+            if (call != of_call) ++count;
+            call = of_call;
+            const int here = harm_at(where);
+            if (here > harm || (here == harm && size > std::abs(value))) value = x, at = where, harm = here;
+        }
     };
+    /// 3: an everyday input; 2: grazing; 1: an extreme that an image may still contain; 0: below the horizon.
+    static int harm_at(const place<T>& at) {
+        double lowest = 1, edge = 1;
+        bool denormal = false;
+        for (const auto& [has, w] : {std::pair(at.has_v, at.v), {at.has_l, at.l}}) {
+            if (!has) continue;
+            lowest = (std::min)(lowest, static_cast<double>(w.z));
+            for (const T x : {w.x, w.y, w.z})
+                denormal |= std::abs(x) > T(0) && std::abs(x) < (std::numeric_limits<T>::min)();
+        }
+        for (int i = 0; i < at.numbers; ++i)
+            edge = (std::min)({edge, static_cast<double>(at.u[i]), 1 - static_cast<double>(at.u[i])});
+        if (!(lowest > 0)) return 0;
+        if (denormal || lowest < 1e-4 || edge < 1e-6) return 1;
+        return lowest < 0.02 ? 2 : 3;
+    }
     static constexpr double rounding = 1e-6;  // what float leaves of a difference of numbers near 1
 
     long calls = 0;
     fault not_finite{}, negative{}, below{};
 
-    /// The value itself where it is a number, else 0. `again(v, l)` asks for it elsewhere: a sign that rounding decides is no fault.
+    /// The value itself where it is a number, else 0. `again(v, l)` asks for it elsewhere: a sign that rounding decides
+    /// is no fault.
     template <class Again>
     double see(double x, const place<T>& at, bool must_vanish, const Again& again) {
-        const bool by_rounding = x < -rounding && negative.count < 100 && std::isfinite(x) && -x <= 4 * rounding_noise<T>(again, at);
+        const bool by_rounding =
+            x < -rounding && negative.count < 100 && is_finite(x) && -x <= 4 * rounding_noise<T>(again, at);
         return by_rounding ? 0 : see(x, at, must_vanish);
     }
     double see(double x, const place<T>& at, bool must_vanish) {
-        if (!std::isfinite(x)) {
-            if (!not_finite.count++) not_finite.value = x, not_finite.at = at;
+        if (!is_finite(x)) {
+            not_finite.add(x, at, calls);
             return 0;
         }
         if (x < -rounding) {
-            ++negative.count;
-            if (x < negative.value) negative.value = x, negative.at = at;
+            negative.add(x, at, calls, -x);
         }
         if (must_vanish && !same(x, 0)) {
-            ++below.count;
-            if (std::abs(x) > std::abs(below.value)) below.value = x, below.at = at;
+            below.add(x, at, calls, std::abs(x));
         }
-        return x;
+        return computable(x);
     }
 };
 
@@ -50,12 +86,12 @@ struct length_watch {
     double worst = 1;
     place<T> at{};
 
-    double see(const vec3<T>& w, const place<T>& where) {
+    void see(const vec3<T>& w, const place<T>& where) {
+        if (!is_finite(worst)) return;
         const double length = std::hypot(static_cast<double>(w.x), static_cast<double>(w.y), static_cast<double>(w.z));
-        if (!(std::abs(length - 1) <= std::abs(worst - 1))) worst = length, at = where;
-        return length;
+        if (!is_finite(length) || std::abs(length - 1) > std::abs(worst - 1)) worst = length, at = where;
     }
-    bool holds() const { return std::abs(worst - 1) <= tolerance; }
+    bool holds() const { return is_finite(worst) && std::abs(worst - 1) <= tolerance; }
 };
 
 }  // namespace lobe::testkit::detail

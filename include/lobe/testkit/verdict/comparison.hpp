@@ -1,6 +1,7 @@
 // Pairs of numbers that ought to be equal, but for rounding.
 #pragma once
 
+#include <lobe/testkit/measure/numbers.hpp>
 #include <lobe/testkit/measure/random.hpp>
 #include <lobe/testkit/measure/text.hpp>
 #include <lobe/testkit/verdict/diagnosis.hpp>
@@ -34,8 +35,8 @@ private:
     std::size_t seen = 0, stride = 1;
 };
 
-/// Pairs of numbers that ought to be equal. Each pair may differ by `tolerance` (relative) and by four times what rounding does there; the
-/// median of all ratios by `tolerance` and what rounding does on average.
+/// Pairs of numbers that ought to be equal. Each pair may differ by `tolerance` (relative) and by four times what
+/// rounding does there; the median of all ratios by `tolerance` and what rounding does on average.
 template <class T>
 class comparison {
 public:
@@ -45,15 +46,27 @@ public:
     /// Values at which T begins to lose digits say nothing.
     static constexpr double smallest = 1e6 * static_cast<double>((std::numeric_limits<T>::min)());
 
-    void add(double measured, double expected, const place<T>& at, std::size_t channel = 0) {
+    /// `part`: what the two are a product of, if that being one and the same number wherever they differ is a clue: it
+    /// is clamped.
+    void add(double measured, double expected, const place<T>& at, std::size_t channel = 0, double part = 0) {
+        if (!is_finite(measured) || !is_finite(expected)) {
+            if (!none++) none_at = at, none_value = is_finite(measured) ? expected : measured;
+            return;
+        }
         const double size = (std::max)(std::abs(measured), std::abs(expected));
         if (!(size > smallest)) return;
         ++count;
-        if (!same(expected, 0)) ratios.add(measured / expected);
-        const suspect one{
-            .measured = measured, .expected = expected, .deviation = std::abs(measured - expected) / size, .channel = channel, .at = at};
+        lowest_cosines.add(lowest_cosine(at));
+        if (!same(expected, 0)) ratios.add(ratio_of(measured, expected));
+        const suspect one{.measured = measured,
+                          .expected = expected,
+                          .deviation = std::abs(measured - expected) / size,
+                          .part = part,
+                          .channel = channel,
+                          .at = at};
         if (one.deviation > close.deviation) close = one;
         if (!(one.deviation > tolerance)) return;
+        ++deviating;
         spread.add(one);
         largest.push_back(one);
         if (largest.size() == 4 * worst_kept) keep_largest();
@@ -62,6 +75,13 @@ public:
     /// noise(place, channel): what rounding does to the two values there.
     using noise_at = std::function<double(const place<T>& at, std::size_t channel)>;
     void report_to(report& r, const noise_at& noise) {
+        if (none) {
+            r.add(property, {.passed = false,
+                             .measured = none_value,
+                             .input = none_at.text(),
+                             .meaning = "one of the two is NaN or infinite, and the other is not"});
+            return;
+        }
         if (!count) return;
         // The largest deviations, and as many spread over all: the largest may all be rounding.
         keep_largest();
@@ -73,7 +93,8 @@ public:
             return noise(s.at, s.channel) / (std::max)(std::abs(s.measured), std::abs(s.expected));
         };
         for (const suspect& s : looked_at) noises.push_back(relative_noise(s));
-        // At one place a function may round alike whatever is done to it: the noise is at least what three of four places have.
+        // At one place a function may round alike whatever is done to it: the noise is at least what three of four
+        // places have.
         sorted = noises;
         std::sort(sorted.begin(), sorted.end());
         const double typical = sorted.empty() ? 0 : sorted[sorted.size() / 4];
@@ -82,12 +103,17 @@ public:
         double worst = 0, allowed = 0;
         suspect at = close;
         std::vector<ratio_at> wrong;
+        std::vector<suspect> wrong_ones;
         for (std::size_t i = 0; i < looked_at.size(); ++i) {
             const suspect& s = looked_at[i];
             const double size = (std::max)(std::abs(s.measured), std::abs(s.expected));
             const double limit = (tolerance + 4 * (std::max)(noises[i], typical)) * size;
             const double excess = std::abs(s.measured - s.expected) / limit;
-            if (excess > 1 && !same(s.expected, 0)) wrong.push_back({s.measured / s.expected, vec3<double>(s.at.v), vec3<double>(s.at.l)});
+            if (excess > 1) {
+                wrong_ones.push_back(s);
+                wrong.push_back(
+                    {ratio_of(s.measured, s.expected), vec3<double>(s.at.v), vec3<double>(s.at.l), limit / size});
+            }
             if (excess > worst) worst = excess, allowed = limit, at = s;
         }
         if (worst > 1) {
@@ -96,7 +122,7 @@ public:
                              .expected = at.expected,
                              .tolerance = allowed,
                              .input = at.at.text(),
-                             .meaning = explain(wrong, otherwise)});
+                             .meaning = clue(wrong, wrong_ones, typical)});
             return;
         }
         if (ratios.kept.size() >= 64) {
@@ -113,28 +139,64 @@ public:
                 return;
             }
         }
-        r.add(property,
-              {.measured = at.measured, .expected = at.expected, .tolerance = (std::max)(allowed, tolerance * std::abs(at.expected))});
+        r.add(property, {.measured = at.measured,
+                         .expected = at.expected,
+                         .tolerance = (std::max)(allowed, tolerance * std::abs(at.expected))});
     }
 
 private:
     static constexpr std::size_t worst_kept = 64;
 
     struct suspect {
-        double measured = 0, expected = 0, deviation = 0;
+        double measured = 0, expected = 0, deviation = 0, part = 0;
         std::size_t channel = 0;
         place<T> at{};
     };
 
+    static double lowest_cosine(const place<T>& at) {
+        return (std::min)(at.has_v ? static_cast<double>(at.v.z) : 1.0, at.has_l ? static_cast<double>(at.l.z) : 1.0);
+    }
+
+    /// From what was measured: a factor, a clamp, a floor, how much of all places is concerned.
+    std::string clue(const std::vector<ratio_at>& wrong, const std::vector<suspect>& ones, double typical) const {
+        const double share = static_cast<double>(deviating) / static_cast<double>(count);
+        if (const std::string factor = wrong_factor(wrong, share); !factor.empty()) return factor;
+        if (const std::string epsilon = added_epsilon(wrong); !epsilon.empty()) return epsilon;
+        std::size_t clamped = 0;
+        double below = 0;
+        for (const suspect& s : ones) {
+            clamped += !same(s.part, 0) && std::abs(s.part - ones.front().part) < 1e-6 * std::abs(s.part);
+            below = (std::max)(below, lowest_cosine(s.at));
+        }
+        if (ones.size() >= 8 && 10 * clamped >= 9 * ones.size())
+            return otherwise + ": it is " + number(ones.front().part) + " wherever that fails, a clamp";
+        std::size_t above = 0;
+        for (const double c : lowest_cosines.kept) above += c > below;
+        const bool far_above = 3 * above > lowest_cosines.kept.size();
+        if (far_above && below < 2e-3 && ones.size() >= 3)
+            return "only where n.v or n.l is below " + number(below, 2) + " (" + number(100 * below, 2) +
+                   " % of all directions): a floor of a cosine, max(n.v, epsilon), or an epsilon added to one";
+        if (typical > 0.01 || (typical > tolerance && share < 0.5))
+            return otherwise + "; rounding moves the value by " + number(100 * typical, 2) +
+                   " % there: a cancellation, 1 - c*c or c*c*(a*a - 1) + 1?";
+        return otherwise + (far_above && below < 0.1 && ones.size() >= 3
+                                ? ", only where n.v or n.l is below " + number(below, 2)
+                                : ", at " + number(100 * share, 2) + " % of the places looked at");
+    }
+
     void keep_largest() {
-        std::sort(largest.begin(), largest.end(), [](const suspect& a, const suspect& b) { return a.deviation > b.deviation; });
+        std::sort(largest.begin(), largest.end(),
+                  [](const suspect& a, const suspect& b) { return a.deviation > b.deviation; });
         if (largest.size() > worst_kept) largest.resize(worst_kept);
     }
 
     property_id property;
     double tolerance;
     std::string otherwise;
-    long count = 0;
+    long count = 0, deviating = 0, none = 0;
+    place<T> none_at{};
+    double none_value = 0;
+    thinned<double> lowest_cosines;
     suspect close{.deviation = -1};
     std::vector<suspect> largest;
     thinned<suspect> spread;

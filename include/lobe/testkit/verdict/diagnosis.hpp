@@ -12,13 +12,19 @@
 
 namespace lobe::testkit::detail {
 
-/// measured / expected, and where.
+/// measured / expected, where, and how far from 1 it may be there.
 struct ratio_at {
     double ratio;
     vec3<double> v, l;
+    double allowed = 0;
 };
+inline double ratio_of(double measured, double expected) {
+    return std::abs(expected) > 1e-100 * std::abs(measured) ? measured / expected : measured < 0 ? -1e100 : 1e100;
+}
 
-inline std::string explain(std::vector<ratio_at> ratios, const std::string& otherwise) {
+/// The factor that is wrong: if all `looked_at` fail (or nearly all: 9 of 10), and by one and the same factor, or by
+/// one that is known. A factor that is there in a few places only is no constant. Empty where there is none.
+inline std::string wrong_factor(std::vector<ratio_at> ratios, double share_that_fails) {
     struct clue {
         double (*factor)(const vec3<double>& v, const vec3<double>& l);
         const char* meaning;
@@ -33,18 +39,22 @@ inline std::string explain(std::vector<ratio_at> ratios, const std::string& othe
         {[](D, D) { return 4.0; }, "4 times too large: the 1/4 of the reflection, 1/(4 v.m), is missing"},
         {[](D, D) { return 0.25; }, "4 times too small: the 1/4 of the reflection, 1/(4 v.m), is applied twice"},
         {[](D, D) { return 2 * pi; }, "2 pi times too large: the density of the azimuth, 1/(2 pi), is missing"},
-        {[](D, D) { return 1 / (2 * pi); }, "2 pi times too small: the density of the azimuth, 1/(2 pi), is applied twice"},
-        {[](D, D l) { return l.z; }, "cos(theta_l) times the expected: that cosine is applied twice, or missing on the other side"},
-        {[](D, D l) { return 1 / l.z; }, "1/cos(theta_l) times the expected: that cosine is missing, or divided by twice"},
+        {[](D, D) { return 1 / (2 * pi); },
+         "2 pi times too small: the density of the azimuth, 1/(2 pi), is applied twice"},
+        {[](D, D l) { return l.z; },
+         "cos(theta_l) times the expected: that cosine is applied twice, or missing on the other side"},
+        {[](D, D l) { return 1 / l.z; },
+         "1/cos(theta_l) times the expected: that cosine is missing, or divided by twice"},
         {[](D, D l) { return 2 * l.z; },
          "2 cos(theta_l) times the expected: cosine-weighted directions are taken for uniform ones, or the reverse"},
-        {[](D, D l) { return 0.5 / l.z; },
-         "1/(2 cos(theta_l)) times the expected: cosine-weighted directions are taken for uniform ones, or the reverse"},
+        {[](D, D l) { return 0.5 / l.z; }, "1/(2 cos(theta_l)) times the expected: cosine-weighted directions are "
+                                           "taken for uniform ones, or the reverse"},
         {[](D v, D) { return v.z; }, "cos(theta_v) times the expected: that cosine is applied once too often"},
         {[](D v, D) { return 1 / v.z; }, "1/cos(theta_v) times the expected: that cosine is missing"},
         {[](D v, D l) { return v.z / l.z; },
          "cos(theta_v)/cos(theta_l) times the expected: the function is symmetric as it is, so it lacks cos(theta_l)"},
-        {[](D v, D l) { return l.z / v.z; }, "cos(theta_l)/cos(theta_v) times the expected: cos(theta_l) is applied twice"},
+        {[](D v, D l) { return l.z / v.z; },
+         "cos(theta_l)/cos(theta_v) times the expected: cos(theta_l) is applied twice"},
         {[](D v, D l) { return length(v + l) / 2; },
          "v.m times the expected: the v.m of the Jacobian 1/(4 v.m) is applied once too often, or missing"},
         {[](D v, D l) { return 2 / length(v + l); },
@@ -52,11 +62,12 @@ inline std::string explain(std::vector<ratio_at> ratios, const std::string& othe
         {[](D v, D l) { return 2 * length(v + l); },
          "4 v.m times the expected: the density of m was not turned into one of l (divide by 4 v.m)"},
         {[](D v, D l) { return 0.5 / length(v + l); }, "1/(4 v.m) times the expected: that Jacobian is applied twice"},
-        {[](D v, D l) { return (v.z + l.z) / length(v + l); }, "cos(theta_m) times the expected: that cosine is applied once too often"},
+        {[](D v, D l) { return (v.z + l.z) / length(v + l); },
+         "cos(theta_m) times the expected: that cosine is applied once too often"},
         {[](D v, D l) { return length(v + l) / (v.z + l.z); },
          "1/cos(theta_m) times the expected: the density of normals is D cos(theta_m), that cosine is missing"},
     };
-    if (ratios.size() < 3) return otherwise;
+    if (ratios.size() < 3) return "";
     for (const clue& c : clues) {
         std::size_t agree = 0, telling = 0;
         for (const ratio_at& r : ratios) {
@@ -64,14 +75,47 @@ inline std::string explain(std::vector<ratio_at> ratios, const std::string& othe
             agree += std::abs(r.ratio / factor - 1) < 0.01;
             telling += std::abs(factor - 1) > 0.03;
         }
-        if (10 * agree >= 9 * ratios.size() && 2 * telling > ratios.size()) return c.meaning;
+        if (10 * agree >= 9 * ratios.size() && 2 * telling > ratios.size())
+            return std::string(c.meaning) + (share_that_fails > 0.5 ? std::string()
+                                                                    : ", at " + number(100 * share_that_fails, 2) +
+                                                                          " % of the places looked at");
     }
-    std::sort(ratios.begin(), ratios.end(), [](const ratio_at& a, const ratio_at& b) { return a.ratio < b.ratio; });
-    const double low = ratios[ratios.size() / 10].ratio, middle = ratios[ratios.size() / 2].ratio,
-                 high = ratios[ratios.size() * 9 / 10].ratio;
-    if (high - low < 0.01 * std::abs(middle) && std::abs(middle - 1) > 1e-4)
-        return "the same factor " + number(middle) + " wherever it fails: a constant is wrong";
-    return otherwise;
+    // 1 and something, with what may be off anyway: a factor of 1.012 is the same as 1.0122, not as 1.003.
+    std::vector<double> sorted;
+    double loose = 0;
+    for (const ratio_at& r : ratios) sorted.push_back(r.ratio), loose = (std::max)(loose, r.allowed);
+    std::sort(sorted.begin(), sorted.end());
+    const std::size_t n = sorted.size();
+    const double low = sorted[n / 10], middle = sorted[n / 2], high = sorted[n - 1 - n / 10];
+    const double same_within =
+        (std::max)(0.01 * std::abs(middle - 1), (std::min)(0.25 * std::abs(middle - 1), loose / 4));
+    if (high - low > same_within) return "";
+    if (share_that_fails > 0.9) return "the same factor " + number(middle) + " wherever it fails: a constant is wrong";
+    return "the same factor " + number(middle) + ", at " + number(100 * share_that_fails, 2) +
+           " % of the places looked at: a constant of one part, or within one range of directions";
+}
+
+/// An epsilon that is added to n.v n.l, or to one of the two, in a denominator shows: its share of the value is
+/// inversely proportional to the cosine. Empty where there is none.
+inline std::string added_epsilon(const std::vector<ratio_at>& ratios) {
+    if (ratios.size() < 8) return "";
+    const auto constant = [&](const auto& cosine_of) {
+        std::vector<double> eps;
+        double least = 1, most = 0;
+        for (const ratio_at& r : ratios) {
+            const double cosine = cosine_of(r);
+            eps.push_back(((std::max)(r.ratio, 1 / r.ratio) - 1) * cosine);
+            least = (std::min)(least, cosine), most = (std::max)(most, cosine);
+        }
+        std::sort(eps.begin(), eps.end());
+        const std::size_t n = eps.size();
+        const bool is = most > 3 * least && eps[n / 2] > 0 && eps[n - 1 - n / 10] - eps[n / 10] < 0.1 * eps[n / 2];
+        return is ? number(eps[n / 2], 2) : "";
+    };
+    const std::string of_both = constant([](const ratio_at& r) { return r.v.z * r.l.z; });
+    if (!of_both.empty()) return "as if " + of_both + " were added to n.v n.l in a denominator";
+    const std::string of_one = constant([](const ratio_at& r) { return (std::min)(r.v.z, r.l.z); });
+    return of_one.empty() ? "" : "as if " + of_one + " were added to n.v, or n.l, in a denominator";
 }
 
 }  // namespace lobe::testkit::detail

@@ -16,9 +16,9 @@ vec3<T> unit(const vec3<double>& w) {
     return vec3<T>(normalize(w));
 }
 
-/// Every value is watched; here only the places are chosen.
-template <class T, std::size_t N>
-void sweep(subject<T, N>& b) {
+/// Every value is watched; here only the places are chosen. note(): what was found is to be kept.
+template <class T, std::size_t N, class Note>
+void sweep(subject<T, N>& b, const Note& note) {
     using V = vec3<T>;
     std::vector<V> w;
     for (const double z : {1.0, 1 - 1e-7, 0.999, 0.7, 0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-6, 0.0, -1e-6, -0.3, -1.0})
@@ -33,6 +33,7 @@ void sweep(subject<T, N>& b) {
         if (b.has_pdf()) b.pdf(v, l);
     };
     for (std::size_t i = 0; i < usual; ++i) {
+        note();
         for (const V& l : w) look(w[i], l);
         look(w[i], -w[i]);
         for (double step = 1e-8; step < 0.3; step *= 10)  // near the mirror direction, and near v itself
@@ -44,8 +45,10 @@ void sweep(subject<T, N>& b) {
     }
     if (!b.has_sample()) return;
     const T last = T(1) - std::numeric_limits<T>::epsilon() / T(2);
-    const T edges[] = {T(0), tiny, static_cast<T>(1e-6), T(0.25), T(0.5), T(0.75), T(1) - static_cast<T>(0x1p-24), last};
+    const T edges[] = {T(0),   tiny,    static_cast<T>(1e-6),           T(0.25),
+                       T(0.5), T(0.75), T(1) - static_cast<T>(0x1p-24), last};
     const std::vector<T> third = b.raw.numbers == 3 ? std::vector<T>{T(0), T(0.5), last} : std::vector<T>{T(0)};
+    note();
     for (std::size_t i = 0; i < usual; ++i)
         for (const T x : edges)
             for (const T y : edges)
@@ -53,7 +56,8 @@ void sweep(subject<T, N>& b) {
                     if (w[i].z > T(0)) b.sample(w[i], {x, y, z});
 }
 
-/// One in three: two independent directions; else l mirrored at a normal of any slope from 1e-4 to 10. One in four near grazing.
+/// One in three: two independent directions; else l mirrored at a normal of any slope from 1e-4 to 10. One in four near
+/// grazing.
 template <class T>
 std::pair<vec3<T>, vec3<T>> random_pair(generator& random, int i) {
     const double z = i % 4 == 3 ? random.log_between(1e-6, 1e-1) : random(), azimuth = tau * random();
@@ -67,7 +71,8 @@ std::pair<vec3<T>, vec3<T>> random_pair(generator& random, int i) {
     return {v, unit<T>(2 * dot(w, m) * m - w)};
 }
 
-/// From the normal to cos = 0.01, moved by the seed within their gaps, and, unless the subject is isotropic, along both axes.
+/// From the normal to cos = 0.01, moved by the seed within their gaps, and, unless the subject is isotropic, along both
+/// axes.
 template <class T, std::size_t N>
 std::vector<vec3<T>> views(const subject<T, N>& b) {
     generator random(b.claims.seed);

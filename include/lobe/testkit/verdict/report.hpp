@@ -4,8 +4,6 @@
 #include <lobe/testkit/measure/text.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -48,14 +46,14 @@ struct outcome {
 namespace detail {
 
 inline std::string quoted(const std::string& text) {
+    constexpr std::string_view hex = "0123456789abcdef";
     std::string out = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\')
             out += std::string("\\") + c;
         else if (static_cast<unsigned char>(c) < 0x20) {
-            char code[8];
-            std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned>(c));
-            out += code;
+            out +=
+                {'\\', 'u', '0', '0', hex[static_cast<unsigned char>(c) / 16], hex[static_cast<unsigned char>(c) % 16]};
         } else
             out += c;
     }
@@ -63,7 +61,7 @@ inline std::string quoted(const std::string& text) {
 }
 
 /// JSON knows no NaN and no infinity: they are null.
-inline std::string json_number(double x) { return std::isfinite(x) ? number(x, "%.17g") : "null"; }
+inline std::string json_number(double x) { return is_finite(x) ? number(x, 17) : "null"; }
 
 }  // namespace detail
 
@@ -74,9 +72,9 @@ public:
 
     void add(check result) { checks_.push_back(std::move(result)); }
     void add(const property_id& id, outcome o) {
-        checks_.push_back(
-            {{id, std::string(id.text) + o.suffix, o.measured, o.expected, o.tolerance, std::move(o.input), std::move(o.meaning)},
-             o.passed});
+        checks_.push_back({{id, std::string(id.text) + o.suffix, o.measured, o.expected, o.tolerance,
+                            std::move(o.input), std::move(o.meaning)},
+                           o.passed});
     }
 
     const std::string& name() const { return name_; }
@@ -93,39 +91,43 @@ public:
     explicit operator bool() const { return passed(); }
 
     std::string json() const {
-        std::string out = "{\"subject\": " + detail::quoted(name_) + ", \"passed\": " + (passed() ? "true" : "false") + ", \"checks\": [";
+        std::string out = "{\"subject\": " + detail::quoted(name_) + ", \"passed\": " + (passed() ? "true" : "false") +
+                          ", \"checks\": [";
         for (std::size_t i = 0; i < checks_.size(); ++i) {
             const check& c = checks_[i];
             out += (i ? ",\n  " : "\n  ") + ("{\"id\": " + detail::quoted(std::string(c.id.key))) +
                    ", \"property\": " + detail::quoted(c.property) + ", \"passed\": " + (c.passed ? "true" : "false") +
-                   ", \"measured\": " + detail::json_number(c.measured) + ", \"expected\": " + detail::json_number(c.expected) +
+                   ", \"measured\": " + detail::json_number(c.measured) +
+                   ", \"expected\": " + detail::json_number(c.expected) +
                    ", \"tolerance\": " + detail::json_number(c.tolerance) + ", \"input\": " + detail::quoted(c.input) +
                    ", \"meaning\": " + detail::quoted(c.passed ? "" : c.meaning) + "}";
         }
         return out + "]}\n";
     }
 
-    friend std::ostream& operator<<(std::ostream& out, const report& r) {
+    /// The table that << prints.
+    std::string text() const {
         const auto padded = [](std::string text, std::size_t width) {
             text.resize((std::max)(width, text.size()), ' ');
             return text;
         };
         std::size_t widest = 8;
-        for (const check& c : r.checks_) widest = (std::max)(widest, c.property.size());
-        out << (r.name_.empty() ? "" : r.name_ + ": ") << (r.passed() ? "passed" : "FAILED") << '\n'
-            << "  " << padded("property", widest) << "            measured      expected     tolerance\n";
-        for (const check& c : r.checks_) {
-            out << "  " << padded(c.property, widest) << (c.passed ? "  ok      " : "  FAILED  ");
+        for (const check& c : checks_) widest = (std::max)(widest, c.property.size());
+        std::string out = (name_.empty() ? "" : name_ + ": ") + (passed() ? "passed" : "FAILED") + "\n  " +
+                          padded("property", widest) + "            measured      expected     tolerance\n";
+        for (const check& c : checks_) {
+            out += "  " + padded(c.property, widest) + (c.passed ? "  ok      " : "  FAILED  ");
             for (const double x : {c.measured, c.expected, c.tolerance}) {
                 const std::string text = detail::number(x);
-                out << std::string(text.size() < 12 ? 12 - text.size() : 0, ' ') << text << "  ";
+                out += std::string(text.size() < 12 ? 12 - text.size() : 0, ' ') + text + "  ";
             }
-            out << '\n';
-            if (!c.passed && !c.meaning.empty()) out << "      " << c.meaning << '\n';
-            if (!c.passed && !c.input.empty()) out << "      at  " << c.input << '\n';
+            out += '\n';
+            if (!c.passed && !c.meaning.empty()) out += "      " + c.meaning + '\n';
+            if (!c.passed && !c.input.empty()) out += "      at  " + c.input + '\n';
         }
         return out;
     }
+    friend std::ostream& operator<<(std::ostream& out, const report& r) { return out << r.text(); }
 
 private:
     std::string name_;

@@ -6,11 +6,13 @@
 #include <lobe/testkit/measure/moments.hpp>
 #include <lobe/testkit/measure/over_directions.hpp>
 #include <lobe/testkit/measure/rounding.hpp>
+#include <lobe/testkit/measure/second_opinion.hpp>
 #include <lobe/testkit/subject/subject.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -22,11 +24,13 @@ bool is_padding(std::size_t k, double x) {
     return k > 0 && N == 16 && same(x, 0);
 }
 
-/// Integrals of f_cos over the light, or of the weight over u: a number a channel, then the moments of all channels together.
+/// Integrals of f_cos over the light, or of the weight over u: a number a channel, then the moments of all channels
+/// together.
 template <std::size_t N>
 struct integrals {
     std::array<double, N> value{}, error{};
     std::array<double, 5> moment{}, moment_error{};
+    double uncovered = 0;  // the part of what is reflected that the pdf does not reach
 };
 
 template <class T, std::size_t N>
@@ -78,14 +82,14 @@ public:
     int asked = 0;                         // of how many
     std::optional<expectation<T>> over_u;  // where there are samples
 
-    integrals<N> reflected{}, weighted{};
-    double uncovered = 0;  // the part of what is reflected that the pdf does not reach
-    double allowed = 0;    // the tolerance, and what rounding does to the integrals of f_cos: relative
+    integrals<N> reflected(bool doubted = false) const { return parted(over_l(doubted)); }
+    integrals<N> weighted(bool doubted = false) const { return parted(over_samples(doubted)); }
+    double allowed = 0;  // the tolerance, and what rounding does to the integrals of f_cos: relative
 
 private:
     void reflect() {
-        mesh<N + 6> over_l(
-            [&](double x, double y) {
+        const auto m = std::make_shared<mesh<N + 6>>(
+            [this](double x, double y) {
                 const auto p = chart(x, y);
                 const V l(p.l);
                 const values f = b.f_cos(v, l);
@@ -99,15 +103,15 @@ private:
                 return out;
             },
             8, 16, N + 3);
-        detail::integrate(over_l, chart, w, some, b.effort, N);
-        reflected = parted(over_l.integral(), over_l.error());
-        uncovered = over_l.integral()[N + 5];
-        allowed = b.claims.tolerance + relative_rounding<T>(over_l, chart, v, [&](const V& a, const V& c) { return b.total(a, c); });
+        detail::integrate(*m, chart, w, some, b.effort, N);
+        over_l = doubtable_integral<N + 6>(m);
+        allowed = b.claims.tolerance +
+                  relative_rounding<T>(*m, chart, v, [&](const V& a, const V& c) { return b.total(a, c); });
     }
 
     void weigh() {
-        const auto mean = over_u->template of<N + 5>(
-            [&](const V& u) {
+        over_samples = over_u->template of<N + 5>(
+            [this](const V& u) {
                 const auto s = b.sample(v, u);
                 std::array<double, N + 5> out{};
                 if (!s.ok) return out;
@@ -118,16 +122,19 @@ private:
                 return out;
             },
             b.effort, N + 3, N);
-        weighted = parted(mean.value, mean.error);
     }
 
     template <std::size_t M>
-    static integrals<N> parted(const std::array<double, M>& value, const std::array<double, M>& error) {
+    static integrals<N> parted(const estimate<M>& e) {
         integrals<N> out;
-        for (std::size_t k = 0; k < N; ++k) out.value[k] = value[k], out.error[k] = error[k];
-        for (std::size_t k = 0; k < 5; ++k) out.moment[k] = value[N + k], out.moment_error[k] = error[N + k];
+        for (std::size_t k = 0; k < N; ++k) out.value[k] = e.value[k], out.error[k] = e.error[k];
+        for (std::size_t k = 0; k < 5; ++k) out.moment[k] = e.value[N + k], out.moment_error[k] = e.error[N + k];
+        if constexpr (M == N + 6) out.uncovered = e.value[N + 5];
         return out;
     }
+
+    doubtable<N + 6> over_l;
+    doubtable<N + 5> over_samples;
 };
 
 }  // namespace lobe::testkit::detail
