@@ -274,6 +274,7 @@ def with_plain_variables(text):
 
 
 LATER_KEYWORDS = 'sample|patch|subroutine|precise|buffer|shared|coherent|restrict|readonly|writeonly'
+KEYWORD_EXTENSIONS = r'(gpu_shader5|tessellation_shader|compute_shader|shader_(storage|image|subroutine)\w*)'
 EARLIER_NAMES = '''vec4 lobe_FragColor, lobe_FragData[8];
 #define gl_FragColor lobe_FragColor
 #define gl_FragData lobe_FragData
@@ -305,7 +306,7 @@ def spirv_of(text, requests):
     code = re.sub(r'\blobe_main\b', 'main', re.sub(r'\bmain\b', 'lobe_main_of_the_shader', code))
     if not version:
         code = re.sub(r'\bsample(?=\s*\()', 'sample_', code)
-    elif (number == 100 or number < 400 and not version[2]) and '#extension' not in code:
+    elif (number == 100 or number < 400 and not version[2]) and not re.search(r'#\s*extension\s+\w+_' + KEYWORD_EXTENSIONS, code):
         code = re.sub(rf'\b({LATER_KEYWORDS})\b', r'\1_', code)
     if number < 400:  # what they extend is in 460, or not in a function of a BRDF
         code = re.sub(r'^[ \t]*#[ \t]*extension\b.*', '', code, flags=re.M)
