@@ -724,16 +724,17 @@ void wrong_samplers(trials& t) {
             [b = selected_by<V>(2, 0.3)](const V& v, const V& l) { return b.pdf(v, l); });
     };
     t.add("third number, a share 5 % off", not_reciprocal(),
-          third([](const auto& b, const V& v, const V& u) { return b.sample(v, V(u.x, u.y, 0.95 * u.z)); }),
+          third([](const auto& mixed, const V& v, const V& u) { return mixed.sample(v, V(u.x, u.y, 0.95 * u.z)); }),
           "means of sample");
     t.add("third number, pdf 0.5 % up, weight 0.5 % down", not_reciprocal(),
-          third([](const auto& b, const V& v, const V& u) {
-              drawn s = b.sample(v, u);
+          third([](const auto& mixed, const V& v, const V& u) {
+              drawn s = mixed.sample(v, u);
               return s.pdf *= 1.005, s.weight /= 1.005, s;
           }),
           "pdf(v, sample.l)");
     t.add("third number used for u.x", not_reciprocal(),
-          third([](const auto& b, const V& v, const V& u) { return b.sample(v, V(u.z, u.y, u.z)); }), "chi-squared");
+          third([](const auto& mixed, const V& v, const V& u) { return mixed.sample(v, V(u.z, u.y, u.z)); }),
+          "chi-squared");
     t.add("third number at m, samples of a wider lobe", not_reciprocal(),
           lobe::testkit::functions(
               [b = selecting_at_m{}](const V& v, const V& l) { return b.f_cos(v, l); },

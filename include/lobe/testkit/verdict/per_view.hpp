@@ -40,7 +40,7 @@ public:
         view_result one = result_of(false);
         if (excess_of(one) > 1 && wrong.size() < 3) {
             const view_result second = result_of(true);
-            const double gross = 0.3 * std::abs(one.expected);
+            const double gross = 0.3 * (std::max)(1.0, std::abs(one.expected));
             const bool has_a_pole = second.allowed > gross && off(one) > gross;
             if (!(excess_of(second) > 1) && !has_a_pole) one = second;
         }
