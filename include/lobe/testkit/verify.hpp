@@ -22,7 +22,7 @@ namespace detail {
 
 template <class T, std::size_t N, template <class, std::size_t> class... Property>
 struct property_list : Property<T, N>... {
-    explicit property_list(subject<T, N>& b) : Property<T, N>(b)... {}
+    explicit property_list(subject<T, N>& judged) : Property<T, N>(judged)... {}
     brdf_property<T, N>* const all[sizeof...(Property)] = {static_cast<Property<T, N>*>(this)...};
 };
 template <class T, std::size_t N>

@@ -67,7 +67,7 @@ public:
     template <std::size_t N>
     doubtable<N> of(const std::function<std::array<double, N>(const vec3<T>& u)>& value, const budget& b,
                     std::size_t driving, std::size_t colours) const {
-        if (!selects) return {by_chance<N>(value, 11), [this, value] { return by_chance<N>(value, 13); }};
+        if (!selects) return {by_chance<N>(value, 11), [value] { return by_chance<N>(value, 13); }};
         return over_boxes<N>(value, b, driving, colours);
     }
 
