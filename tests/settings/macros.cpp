@@ -1,15 +1,20 @@
 // Every header compiles where other people's macros are defined, and a call of a name that is one of them works in parentheses.
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <bit>
 #include <cassert>
+#include <charconv>
 #include <cmath>
 #include <concepts>
+#include <csignal>
 #include <cstdint>
 #include <functional>
 #include <iomanip>
 #include <iostream>
 #include <limits>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <random>

@@ -3,11 +3,11 @@
 
 #include <lobe/testkit/measure/text.hpp>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <functional>
 #include <iterator>
-#include <mutex>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,13 +22,13 @@ public:
     using writer = std::function<void(line&)>;
     explicit last_words(writer of_input) : input(std::move(of_input)), outer(current) {
         current = this;
-        const std::lock_guard lock(guard);
+        const locked alone;
         if (users++ == 0)
-            for (std::size_t i = 0; i < count; ++i) before[i] = exchange(signals[i], ours());
+            for (std::size_t i = 0; i < count; ++i) before[i] = exchange(ends[i], ours());
     }
     ~last_words() {
         current = outer;
-        const std::lock_guard lock(guard);
+        const locked alone;
         if (--users == 0) restore();
     }
     last_words(const last_words&) = delete;
@@ -37,8 +37,8 @@ public:
     std::string so_far;
 
 private:
-    static constexpr int signals[] = {SIGABRT, SIGFPE, SIGILL, SIGSEGV};
-    static constexpr std::size_t count = std::size(signals);
+    static constexpr int ends[] = {SIGABRT, SIGFPE, SIGILL, SIGSEGV};
+    static constexpr std::size_t count = std::size(ends);
 
     // With POSIX, the whole of a handler: its mask, its stack, its arguments.
 #if defined(__unix__) || defined(__APPLE__)
@@ -59,7 +59,7 @@ private:
     static handler exchange(int which, handler h) { return std::signal(which, h); }
 #endif
     static void restore() {
-        for (std::size_t i = 0; i < count; ++i) exchange(signals[i], before[i]);
+        for (std::size_t i = 0; i < count; ++i) exchange(ends[i], before[i]);
     }
 
     static void print(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
@@ -76,10 +76,20 @@ private:
         std::raise(which);  // once this returns; a fault happens again by itself
     }
 
+    struct locked {
+        locked() {
+            while (taken.test_and_set()) {
+            }
+        }
+        ~locked() { taken.clear(); }
+        locked(const locked&) = delete;
+        locked& operator=(const locked&) = delete;
+    };
+
     writer input;
     last_words* outer;
     static inline thread_local last_words* current = nullptr;
-    static inline std::mutex guard;
+    static inline std::atomic_flag taken = ATOMIC_FLAG_INIT;
     static inline int users = 0;
     static inline handler before[count];
 };
