@@ -1,4 +1,5 @@
 // error: no f_cos(v, l), nor a call (v, l)
+// of: verify
 #include <lobe/testkit.hpp>
 
 struct subject {

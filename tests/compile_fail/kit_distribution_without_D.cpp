@@ -1,4 +1,5 @@
 // error: no D(m), nor a call (m)
+// of: verify_distribution
 #include <lobe/testkit.hpp>
 
 struct subject {

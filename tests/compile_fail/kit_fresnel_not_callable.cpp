@@ -1,4 +1,5 @@
 // error: F(cosine) returns no spectrum
+// of: verify_fresnel
 #include <lobe/testkit.hpp>
 
 struct subject {

@@ -1,4 +1,5 @@
 // error: no range of points with x and y
+// of: verify_sequence
 #include <lobe/testkit.hpp>
 
 #include <vector>
