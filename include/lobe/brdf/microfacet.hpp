@@ -136,7 +136,7 @@ private:
         vec3<T> s;
         T v_m;  // v.m = |s|/2, which rounding may take above 1
         constexpr explicit half(const vec3<T>& sum) : s(upward(sum)), v_m(smaller(length(s) / T(2), T(1))) {}
-        constexpr T m_z() const { return quotient(v_m > T(0), s.z, T(2) * v_m); }
+        constexpr T m_z() const { return s.z / (T(2) * larger(v_m, detail::smallest<T>())); }
     };
 
     [[no_unique_address]] N ndf;

@@ -39,8 +39,7 @@ struct all_normals {
     }
     template <distribution N, class T = typename N::scalar>
     constexpr T area(const N&, const vec3<T>&, const T& v_m, const T& m_z, const T&) const {
-        const auto above = v_m * m_z > T(0);  // (v.z + l.z)/2
-        return select(above, quotient(above, v_m, m_z), T(1));
+        return larger(v_m, detail::smallest<T>()) / larger(m_z, detail::smallest<T>());  // behind, none is taken
     }
 };
 
