@@ -24,7 +24,7 @@ constexpr T twice_squared_difference_cosine(const vec3<T>& v, const vec3<T>& l) 
 
 /// f = rho/pi (1 + (F90 - 1)(1 - cos(theta_l))^5)(1 + (F90 - 1)(1 - cos(theta_v))^5), F90 = 1/2 + 2 r (l.h)^2. Burley
 /// 2012, "Physically-Based Shading at Disney", section 5.3. r: perceptual roughness (not alpha), rho: both in [0,1].
-/// Reciprocal, but it makes light: albedo at rho = 1 from 0.488 (r = 0) to 1.56 (r = 1), both at grazing. Rounding: 12
+/// Reciprocal, but it gains energy: albedo at rho = 1 from 0.488 (r = 0) to 1.56 (r = 1), both at grazing. Rounding: 12
 /// ULP.
 template <class S>
 class burley : public cosine_sampled<burley<S>, S> {

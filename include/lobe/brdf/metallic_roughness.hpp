@@ -12,7 +12,7 @@ namespace lobe {
 /// glTF 2.0 specification (Khronos 2021), appendix B. base_color: linear, in [0,1], one number or rgb; metallic in
 /// [0,1]; width: `alpha` of roughness^2, or `alpha_xy`. f in 1/sr. It is a `layered` and samples like one. Metallic 1
 /// is the bare lobe, to the bit in f.
-/// Reciprocal. Its coupling makes light: see `fresnel_coupling`.
+/// Reciprocal. Its coupling gains energy: see `fresnel_coupling`.
 template <class S, class Width>
 constexpr auto metallic_roughness(const S& base_color, const typename Width::scalar& metallic, const Width& width) {
     using T = typename Width::scalar;
