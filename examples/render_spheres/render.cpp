@@ -76,31 +76,16 @@ vec3 reference_sample(const surface& s, const lobe::frame<float>& at, const vec3
     return radiance + share * path.weight * s.map.radiance(L) + s.m.albedo * (1.0f - path.weight) * irradiance;
 }
 
-struct estimate {
-    vec3 mean{0};
-    double squared_error = 0;  // of the mean of the channels
-};
-
-estimate reference(const surface& s, const vec3& n, const vec3& irradiance, int samples, std::uint64_t seed) {
+lobe::sampled<vec3> reference(const surface& s, const vec3& n, const vec3& irradiance, int samples,
+                              std::uint64_t seed) {
     const lobe::frame<float> at{n};
-    const int batch_samples = samples / batches;
-    estimate result;
-    double sum = 0, sum_of_squares = 0;
-    for (int b = 0; b < batches; ++b) {
-        sample_stream uniform{mixed_bits(seed) + static_cast<std::uint64_t>(b)};
-        vec3 batch{0};
-        for (int i = 0; i < batch_samples; ++i) {
-            uniform.next_sample();
-            batch += reference_sample(s, at, irradiance, uniform);
-        }
-        batch /= static_cast<float>(batch_samples);
-        result.mean += batch / static_cast<float>(batches);
-        const double energy = mean_of_channels(batch);
-        sum += energy;
-        sum_of_squares += energy * energy;
-    }
-    result.squared_error = std::max(0.0, sum_of_squares - sum * sum / batches) / (batches * (batches - 1.0));
-    return result;
+    const lobe::sample_counts counts{static_cast<std::uint32_t>(samples) / batches, batches};
+    sample_stream uniform{0};
+    return lobe::sample_mean(counts, [&](std::uint32_t batch, std::uint32_t i) {
+        if (i == 0) uniform = sample_stream{mixed_bits(seed) + batch};
+        uniform.next_sample();
+        return reference_sample(s, at, irradiance, uniform);
+    });
 }
 
 // ---- the sphere in its tile
@@ -179,18 +164,20 @@ std::vector<sphere> render(const material& m, const baked_light& light, const sp
             const float coverage = area.coverage(x, y);
             // its seed: the same whatever core it runs on
             const std::size_t pixel = row * tile + static_cast<std::size_t>(x);
-            estimate a, b, c;
+            vec3 a{0}, b{0};
+            lobe::sampled<vec3> c{};
             if (coverage > 0) {
                 const vec3 n = area.normal(x, y);
-                a.mean = single_scattering(s, n);
-                b.mean = multiple_scattering(s, n);
+                a = single_scattering(s, n);
+                b = multiple_scattering(s, n);
                 c = reference(s, n, irradiance(x, y), set.samples, mixed_bits(set.seed) ^ pixel);
             }
-            out.single(x, y) = mix(background, a.mean, coverage);
-            out.multiple(x, y) = mix(background, b.mean, coverage);
-            out.reference(x, y) = mix(background, c.mean, coverage);
+            out.single(x, y) = mix(background, a, coverage);
+            out.multiple(x, y) = mix(background, b, coverage);
+            out.reference(x, y) = mix(background, c.value, coverage);
             out.difference(x, y) = abs(out.multiple(x, y) - out.reference(x, y));
-            squared_errors[column][pixel - column * tile * tile] = c.squared_error;
+            const double error = mean_of_channels(c.standard_error);
+            squared_errors[column][pixel - column * tile * tile] = error * error;
         }
         progress.advance();
     });

@@ -19,6 +19,7 @@
 #include <lobe/width/exponents.hpp>
 
 #include <lobe/sampling/points.hpp>
+#include <lobe/sampling/sample_mean.hpp>
 #include <lobe/sampling/warp.hpp>
 
 #include <lobe/ndf/abc.hpp>
@@ -78,3 +79,4 @@
 #include <lobe/ibl/irradiance.hpp>
 #include <lobe/ibl/latlong.hpp>
 #include <lobe/ibl/prefilter.hpp>
+#include <lobe/ibl/reflected_radiance.hpp>
