@@ -14,17 +14,16 @@ public:
     constexpr in_tangent_space(const frame<T>& at, const Environment& of_world_directions)
         : local(at), world(of_world_directions) {}
 
-    constexpr auto operator()(const vec3<T>& l) const requires std::invocable<const Environment&, const vec3<T>&> {
-        return world(local.to_world(l));
-    }
-    constexpr auto sample(const vec2<T>& u) const requires requires(const Environment& e) { e.sample(u); } {
+    constexpr auto operator()(const vec3<T>& l) const requires std::invocable < const Environment&, const vec3<T>
+    & > { return world(local.to_world(l)); }
+    constexpr auto sample(const vec2<T>& u) const requires requires(const Environment& e) { e.sample(u); }
+    {
         auto s = world.sample(u);
         s.direction = local.to_local(s.direction);
         return s;
     }
-    constexpr T pdf(const vec3<T>& l) const requires requires(const Environment& e) { e.pdf(l); } {
-        return world.pdf(local.to_world(l));
-    }
+    constexpr T pdf(const vec3<T>& l) const requires requires(const Environment& e) { e.pdf(l); }
+    { return world.pdf(local.to_world(l)); }
 
 private:
     frame<T> local;
@@ -93,9 +92,8 @@ private:
 template <samplable_brdf B, class Environment, class Points, class Strategy = by_brdf>
 constexpr auto reflected_radiance(const B& b, const vec3<typename B::scalar>& v, const Environment& environment,
                                   const Points& points, const Strategy& strategy = {}) {
-    return sample_mean(points, [&](std::uint32_t round, std::uint32_t i) {
-        return strategy(b, v, environment, points, round, i);
-    });
+    return sample_mean(
+        points, [&](std::uint32_t round, std::uint32_t i) { return strategy(b, v, environment, points, round, i); });
 }
 
 }  // namespace lobe

@@ -1,0 +1,15 @@
+# Removes what `cmake --install` put: cmake -P scripts/uninstall.cmake BUILD/install_manifest.txt
+file(STRINGS ${CMAKE_ARGV3} files)
+foreach(file IN LISTS files)
+    file(REMOVE ${file})
+    cmake_path(GET file PARENT_PATH directory)
+    # and the directories that are empty now
+    while(EXISTS ${directory})
+        file(GLOB rest LIST_DIRECTORIES ON ${directory}/*)
+        if(rest)
+            break()
+        endif()
+        file(REMOVE_RECURSE ${directory})
+        cmake_path(GET directory PARENT_PATH directory)
+    endwhile()
+endforeach()
