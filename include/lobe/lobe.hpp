@@ -69,7 +69,10 @@
 #include <lobe/lights/punctual.hpp>
 
 #include <lobe/energy/albedo.hpp>
+#include <lobe/energy/default_dfg.hpp>
 #include <lobe/energy/dfg.hpp>
+#include <lobe/energy/dfg_fit.hpp>
+#include <lobe/energy/dfg_published.hpp>
 #include <lobe/energy/dfg_table.hpp>
 #include <lobe/energy/fdez_aguera.hpp>
 #include <lobe/energy/quadrature.hpp>

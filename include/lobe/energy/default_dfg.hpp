@@ -1,0 +1,34 @@
+// The split-sum terms of GGX from a table that comes with the library.
+#pragma once
+
+#include <lobe/energy/default_dfg_data.hpp>
+#include <lobe/energy/dfg_table.hpp>
+
+namespace lobe {
+
+/// The `dfg_table` of 32 x 32 of isotropic GGX with `smith_correlated`, ready-made: 8.7 kB of constants, no state.
+/// Domain and error: as `dfg_table`. Scalar types only; on the host (-> `dfg_fit_precise`).
+struct default_dfg {
+    template <class N, class Masking>
+    static constexpr bool describes =
+        std::same_as<N, ggx<typename N::scalar>> && std::same_as<Masking, smith_correlated>;
+
+    template <scalar T>
+    dfg_terms<T> operator()(const T& cosine, const alpha<T>& a) const {
+        return parts().terms(cosine, a);
+    }
+    template <scalar T>
+    dfg_terms<T> average(const alpha<T>& a) const {
+        return parts().average(a);
+    }
+
+private:
+    static detail::dfg_grids<float> parts() {
+        return {{detail::default_dfg_albedo, 32},
+                {detail::default_dfg_scale, 32},
+                {detail::default_dfg_lost, 64},
+                {detail::default_dfg_bias, 64}};
+    }
+};
+
+}  // namespace lobe

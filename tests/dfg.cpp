@@ -1,0 +1,218 @@
+// Who provides the split-sum terms, against quadrature: tables, fits, averages, the table that comes with the library.
+#include "catch.hpp"
+#include "support.hpp"
+
+#include <lobe/lobe.hpp>
+
+#include <fstream>
+#include <iomanip>
+
+using lobe::alpha, lobe::dfg_terms, lobe::smith_correlated;
+
+namespace {
+
+/// The largest errors over a grid and random points: mu in [0.001,1], roughness in [0.03,1].
+struct errors {
+    double E = 0, scale = 0, bias = 0;
+};
+
+struct point {
+    double mu, roughness;
+    dfg_terms<double> exact;
+};
+
+/// Of normals and masking; order 32 is good to 2e-8.
+template <class Masking, class OfWidth = lobe::ggx_of_width>
+std::vector<point> points_of(const Masking& masking, int random_points, const OfWidth& of_width = {}) {
+    std::vector<point> points;
+    const auto add = [&](double mu, double r) {
+        points.push_back({mu, r, lobe::dfg_exact(masking, mu, alpha{r * r}, {.order = 32}, of_width)});
+    };
+    for (int i = 0; i <= 40; ++i)
+        for (int j = 0; j <= 30; ++j) add(std::pow(10.0, -3 + 3 * i / 40.0), 0.03 + 0.97 * j / 30);
+    random_numbers random(7);
+    for (int i = 0; i < random_points; ++i)
+        add(i % 2 ? random.log_between(0.001, 1) : random.between(0.001, 1), random.between(0.03, 1));
+    return points;
+}
+
+template <class T, class Provider>
+errors errors_of(const Provider& provider, const std::vector<point>& points) {
+    errors e;
+    for (const point& p : points) {
+        const dfg_terms<T> t = provider(static_cast<T>(p.mu), alpha<T>(static_cast<T>(p.roughness * p.roughness)));
+        const double scale = static_cast<double>(t.scale), bias = static_cast<double>(t.bias);
+        e.E = larger(e.E, std::abs(scale + bias - p.exact.albedo()));
+        e.scale = larger(e.scale, std::abs(scale - p.exact.scale));
+        e.bias = larger(e.bias, std::abs(bias - p.exact.bias));
+    }
+    return e;
+}
+
+/// The largest part by which a provider's average is off that of its own terms, of scale, bias and 1 - E (relative).
+template <class T, class Provider>
+double inconsistency(const Provider& provider) {
+    const lobe::gauss_legendre<double> rule(256);
+    double worst = 0;
+    for (double r : {0.03, 0.1, 0.21, 0.33, 0.47, 0.6, 0.74, 0.85, 1.0}) {
+        const alpha<T> a(static_cast<T>(r * r));
+        dfg_terms<double> own{0, 0};
+        for (std::size_t i = 0; i < rule.x.size(); ++i) {
+            const double x = rule.x[i], mu = x * x * x;
+            const dfg_terms<T> t = provider(static_cast<T>(mu), a);
+            own.scale += rule.w[i] * 6 * x * x * mu * static_cast<double>(t.scale);
+            own.bias += rule.w[i] * 6 * x * x * mu * static_cast<double>(t.bias);
+        }
+        const dfg_terms<T> said = provider.average(a);
+        worst = larger({worst, std::abs(static_cast<double>(said.scale) - own.scale),
+                        std::abs(static_cast<double>(said.bias) - own.bias),
+                        std::abs(static_cast<double>(T(1) - said.albedo()) / (1 - own.albedo()) - 1)});
+    }
+    return worst;
+}
+
+static_assert(lobe::dfg_provider<lobe::default_dfg, float> && lobe::dfg_provider<lobe::default_dfg, double>);
+static_assert(lobe::dfg_provider<lobe::dfg_table<float, smith_correlated>, float>);
+static_assert(lobe::dfg_provider<lobe::dfg_fit_cheap, float> && lobe::dfg_provider<lobe::dfg_materialx, double>);
+static_assert(lobe::default_dfg::describes<lobe::ggx<float>, smith_correlated>);
+static_assert(!lobe::default_dfg::describes<lobe::ggx<float>, lobe::smith_separable>);
+static_assert(!lobe::default_dfg::describes<lobe::beckmann<float>, smith_correlated>);
+static_assert(!lobe::default_dfg::describes<lobe::ggx<float, lobe::alpha_xy<float>>, smith_correlated>);
+
+}  // namespace
+
+TEST_CASE("split-sum terms: tables and fits keep their stated errors", "[dfg]") {
+    const auto points = points_of(smith_correlated{}, 2000);
+    const auto within = [&](const errors& e, double E, double bias, double scale) {
+        CHECK(e.E < E);
+        CHECK(e.bias < bias);
+        CHECK(e.scale < scale);
+    };
+    SECTION("default") {
+        within(errors_of<float>(lobe::default_dfg{}, points), 4e-4, 5e-4, 5e-4);
+        within(errors_of<double>(lobe::default_dfg{}, points), 4e-4, 5e-4, 5e-4);
+    }
+    SECTION("tables of other sizes") {
+        // linear interpolation: a quarter, for twice the nodes
+        const auto sized = [](int n) { return lobe::bake_dfg<float>(smith_correlated{}, {.size = n}); };
+        within(errors_of<float>(sized(16), points), 1.5e-3, 1.7e-3, 1.8e-3);
+        within(errors_of<float>(sized(64), points), 1.1e-4, 1.3e-4, 1.3e-4);
+    }
+    SECTION("fits") {
+        within(errors_of<float>(lobe::dfg_fit_tiny{}, points), 2.5e-2, 2.8e-2, 3.4e-2);
+        within(errors_of<float>(lobe::dfg_fit_cheap{}, points), 1.3e-2, 1.6e-2, 2.7e-2);
+        within(errors_of<float>(lobe::dfg_fit_medium{}, points), 4.6e-3, 3e-3, 7.2e-3);
+        within(errors_of<float>(lobe::dfg_fit_precise{}, points), 1.1e-3, 9.7e-4, 1.91e-3);
+    }
+    SECTION("published, as far as they go") {
+        within(errors_of<float>(lobe::dfg_karis_mobile{}, points), 0.55, 0.086, 0.5);
+        within(errors_of<float>(lobe::dfg_lazarov{}, points), 0.45, 0.49, 0.52);
+        within(errors_of<float>(lobe::dfg_hirvonen{}, points), 0.4, 0.095, 0.37);
+        within(errors_of<float>(lobe::dfg_materialx{}, points), 0.14, 0.05, 0.12);
+        double worst = 0, of_average = 0;
+        for (const point& p : points) {
+            const alpha a{p.roughness * p.roughness};
+            worst = larger(worst, std::abs(lobe::kulla_conty_fit{}.lost(p.mu, a) - (1 - p.exact.albedo())));
+        }
+        for (double r : {0.03, 0.2, 0.5, 0.8, 1.0})
+            of_average = larger(of_average,
+                                std::abs(lobe::kulla_conty_fit{}.lost_on_average(alpha{r * r}) -
+                                         (1 - lobe::exact_dfg<smith_correlated>{}.average(alpha{r * r}).albedo())));
+        CHECK(worst < 0.11);
+        CHECK(of_average < 1.3e-3);
+    }
+}
+
+TEST_CASE("split-sum terms of other normals and maskings, from a table", "[dfg]") {
+    const auto of_beckmann = [](auto a) { return lobe::beckmann{a}; };
+    const auto beckmann = lobe::bake_dfg<float>(smith_correlated{}, {}, of_beckmann);
+    static_assert(decltype(beckmann)::describes<lobe::beckmann<float>, smith_correlated>);
+    static_assert(!decltype(beckmann)::describes<lobe::ggx<float>, smith_correlated>);
+    const errors b = errors_of<float>(beckmann, points_of(smith_correlated{}, 500, of_beckmann));
+    INFO("Beckmann " << b.E << " " << b.scale << " " << b.bias);
+    CHECK(larger({b.E, b.scale, b.bias}) < 4e-3);
+    const auto separable = lobe::bake_dfg<float>(lobe::smith_separable{});
+    const errors s = errors_of<float>(separable, points_of(lobe::smith_separable{}, 500));
+    INFO("separable " << s.E << " " << s.scale << " " << s.bias);
+    CHECK(larger({s.E, s.scale, s.bias}) < 5e-4);
+}
+
+TEST_CASE("split-sum terms: averages are those of the same terms", "[dfg]") {
+    // in float, 1 - E at roughness 0.03, 4e-6, has lost all but 4 %; in double the rule of 32 nodes is left
+    CHECK(inconsistency<double>(lobe::default_dfg{}) < 2e-3);
+    CHECK(inconsistency<double>(lobe::bake_dfg<double>(smith_correlated{})) < 2e-3);
+    CHECK(inconsistency<double>(lobe::dfg_fit_cheap{}) < 2e-4);
+    CHECK(inconsistency<double>(lobe::dfg_fit_medium{}) < 1e-4);
+    CHECK(inconsistency<double>(lobe::dfg_fit_precise{}) < 1e-4);
+    CHECK(inconsistency<double>(lobe::dfg_materialx{}) < 2e-2);
+    for (double a : {0.01, 0.2, 0.7, 1.0}) {
+        const auto exact = lobe::exact_dfg<smith_correlated>{}.average(alpha{a});
+        const double E = lobe::average_albedo(
+            lobe::microfacet{lobe::ggx{alpha{a}}, smith_correlated{}, lobe::perfect_reflector<double>{}});
+        CHECK(std::abs(exact.albedo() - E) < 1e-6);
+    }
+}
+
+TEST_CASE("split-sum terms: no table overshoots", "[dfg]") {
+    random_numbers random(8);
+    const auto beckmann = lobe::bake_dfg<float>(smith_correlated{}, {}, [](auto a) { return lobe::beckmann{a}; });
+    const auto sane = [](const dfg_terms<float>& t) { return t.scale >= 0 && t.bias >= 0 && t.albedo() <= 1; };
+    for (int i = 0; i < 100000; ++i) {
+        const auto mu = static_cast<float>(i % 2 ? random() : random.log_between(1e-7, 1));
+        const alpha<float> a(static_cast<float>(random.log_between(1e-6, 1)));
+        REQUIRE(sane(lobe::default_dfg{}(mu, a)));
+        REQUIRE(sane(beckmann(mu, a)));
+    }
+}
+
+namespace {
+
+template <class N>
+void write_numbers(std::ostream& out, const char* name, const N* values, int count) {
+    out << "\ninline constexpr float default_dfg_" << name << "[] = {";
+    std::string line;
+    for (int i = 0; i < count; ++i) {
+        std::ostringstream number;
+        number << std::setprecision(6) << values[i];
+        std::string text = number.str();
+        if (text.find_first_of(".e") == std::string::npos) text += ".0";
+        text += i + 1 < count ? "f," : "f";
+        if (line.size() + text.size() > 112) {
+            out << "\n    " << line;
+            line.clear();
+        }
+        line += (line.empty() ? "" : " ") + text;
+    }
+    out << "\n    " << line << "};\n";
+}
+
+}  // namespace
+
+// After a change of the fit, of the axes or of the bake: lobe_tests "[.write_default_dfg]" in the folder of the header.
+TEST_CASE("write default_dfg_data.hpp", "[.write_default_dfg]") {
+    const auto table = lobe::bake_dfg<double>(smith_correlated{}, {.size = 32, .order = 32});
+    std::ofstream out("default_dfg_data.hpp");
+    out << "// The numbers of `default_dfg`, written by tests/dfg.cpp.\n#pragma once\n\n"
+           "#include <lobe/core/cpp20.hpp>\n\n// clang-format off\nnamespace lobe::detail {\n";
+    write_numbers(out, "albedo", table.parts().albedo.values, 32 * 32);
+    write_numbers(out, "scale", table.parts().scale.values, 32 * 32);
+    write_numbers(out, "lost", table.parts().lost.values, 64);
+    write_numbers(out, "bias", table.parts().bias.values, 64);
+    out << "\n}  // namespace lobe::detail\n// clang-format on\n";
+    CHECK(out.good());
+}
+
+TEST_CASE("the table that comes with the library is the one that is baked", "[dfg]") {
+    // at another order than the one it was written with, and its numbers have 6 digits
+    const auto table = lobe::bake_dfg<double>(smith_correlated{}, {.size = 32, .order = 24});
+    const auto same = [](const auto& baked, const float* kept, int count, double bound) {
+        double worst = 0;
+        for (int i = 0; i < count; ++i)
+            worst = larger(worst, std::abs(baked.values[i] - static_cast<double>(kept[i])));
+        CHECK(worst < bound);
+    };
+    same(table.parts().albedo, lobe::detail::default_dfg_albedo, 32 * 32, 1e-6);
+    same(table.parts().scale, lobe::detail::default_dfg_scale, 32 * 32, 1e-6);
+    same(table.parts().lost, lobe::detail::default_dfg_lost, 64, 1e-4);
+    same(table.parts().bias, lobe::detail::default_dfg_bias, 64, 1e-6);
+}
