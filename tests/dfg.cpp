@@ -115,9 +115,9 @@ TEST_CASE("split-sum terms: tables and fits keep their stated errors", "[dfg]") 
             worst = larger(worst, std::abs(lobe::kulla_conty_fit{}.lost(p.mu, a) - (1 - p.exact.albedo())));
         }
         for (double r : {0.03, 0.2, 0.5, 0.8, 1.0})
-            of_average = larger(of_average,
-                                std::abs(lobe::kulla_conty_fit{}.lost_on_average(alpha{r * r}) -
-                                         (1 - lobe::exact_dfg<smith_correlated>{}.average(alpha{r * r}).albedo())));
+            of_average =
+                larger(of_average, std::abs(lobe::kulla_conty_fit{}.lost_on_average(alpha{r * r}) -
+                                            (1 - lobe::exact_dfg<smith_correlated>{}.average(alpha{r * r}).albedo())));
         CHECK(worst < 0.11);
         CHECK(of_average < 1.3e-3);
     }
@@ -130,7 +130,7 @@ TEST_CASE("split-sum terms of other normals and maskings, from a table", "[dfg]"
     static_assert(!decltype(beckmann)::describes<lobe::ggx<float>, smith_correlated>);
     const errors b = errors_of<float>(beckmann, points_of(smith_correlated{}, 500, of_beckmann));
     INFO("Beckmann " << b.E << " " << b.scale << " " << b.bias);
-    CHECK(larger({b.E, b.scale, b.bias}) < 4e-3);
+    CHECK(larger({b.E, b.scale, b.bias}) < 3e-3);
     const auto separable = lobe::bake_dfg<float>(lobe::smith_separable{});
     const errors s = errors_of<float>(separable, points_of(lobe::smith_separable{}, 500));
     INFO("separable " << s.E << " " << s.scale << " " << s.bias);
@@ -207,8 +207,7 @@ TEST_CASE("the table that comes with the library is the one that is baked", "[df
     const auto table = lobe::bake_dfg<double>(smith_correlated{}, {.size = 32, .order = 24});
     const auto same = [](const auto& baked, const float* kept, int count, double bound) {
         double worst = 0;
-        for (int i = 0; i < count; ++i)
-            worst = larger(worst, std::abs(baked.values[i] - static_cast<double>(kept[i])));
+        for (int i = 0; i < count; ++i) worst = larger(worst, std::abs(baked.values[i] - static_cast<double>(kept[i])));
         CHECK(worst < bound);
     };
     same(table.parts().albedo, lobe::detail::default_dfg_albedo, 32 * 32, 1e-6);

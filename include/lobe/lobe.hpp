@@ -69,14 +69,20 @@
 #include <lobe/lights/punctual.hpp>
 
 #include <lobe/energy/albedo.hpp>
+#include <lobe/energy/compensated.hpp>
 #include <lobe/energy/default_dfg.hpp>
 #include <lobe/energy/dfg.hpp>
 #include <lobe/energy/dfg_fit.hpp>
 #include <lobe/energy/dfg_published.hpp>
 #include <lobe/energy/dfg_table.hpp>
 #include <lobe/energy/fdez_aguera.hpp>
+#include <lobe/energy/kulla_conty.hpp>
+#include <lobe/energy/metallic_roughness.hpp>
+#include <lobe/energy/multiple_scattering.hpp>
 #include <lobe/energy/quadrature.hpp>
 #include <lobe/energy/random_walk.hpp>
+#include <lobe/energy/smith_multiscatter.hpp>
+#include <lobe/energy/turquin.hpp>
 
 #include <lobe/ibl/directions.hpp>
 #include <lobe/ibl/irradiance.hpp>

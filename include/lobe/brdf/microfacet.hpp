@@ -119,6 +119,8 @@ public:
     }
 
     constexpr vec2<T> width() const { return ndf.width(); }
+    constexpr const N& normals() const { return ndf; }
+    constexpr const F& fresnel() const { return fresnel_; }
 
     /// The critical angles of the Fresnel reflectance: where quadrature cuts.
     template <class G>

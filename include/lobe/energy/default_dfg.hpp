@@ -10,8 +10,7 @@ namespace lobe {
 /// Domain and error: as `dfg_table`. Scalar types only; on the host (-> `dfg_fit_precise`).
 struct default_dfg {
     template <class N, class Masking>
-    static constexpr bool describes =
-        std::same_as<N, ggx<typename N::scalar>> && std::same_as<Masking, smith_correlated>;
+    static constexpr bool describes = detail::is_smith_ggx<N, Masking>;
 
     template <scalar T>
     dfg_terms<T> operator()(const T& cosine, const alpha<T>& a) const {

@@ -38,6 +38,9 @@ struct ggx_of_width {
 
 namespace detail {
 
+template <class N, class Masking>
+concept is_smith_ggx = std::same_as<N, ggx<typename N::scalar>> && std::same_as<Masking, smith_correlated>;
+
 /// Schlick's Fresnel with F0 and F90 taken out: (1 - Fc, Fc) is its spectrum.
 struct schlick_terms {
     template <scalar T>

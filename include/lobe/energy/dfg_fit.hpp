@@ -26,8 +26,7 @@ namespace detail {
 template <class Fit>
 struct ggx_dfg_fit {
     template <class N, class Masking>
-    static constexpr bool describes =
-        std::same_as<N, ggx<typename N::scalar>> && std::same_as<Masking, smith_correlated>;
+    static constexpr bool describes = detail::is_smith_ggx<N, Masking>;
 
     template <scalar T>
     constexpr dfg_terms<T> average(const alpha<T>& a) const {
@@ -52,8 +51,7 @@ struct dfg_fit_tiny : detail::ggx_dfg_fit<dfg_fit_tiny> {
     constexpr dfg_terms<T> operator()(const T& mu, const alpha<T>& width) const {
         const auto k = [](double x) { return detail::constant<T>(x); };
         const T m = mu, a = width.value(), a2 = a * a, a3 = a2 * a;
-        return terms(m * a2 * (k(.8215735) + k(19.310698) * a2),
-                     m * m * m + k(21.320505) * a3 * m + k(6.7557139) * a3,
+        return terms(m * a2 * (k(.8215735) + k(19.310698) * a2), m * m * m + k(21.320505) * a3 * m + k(6.7557139) * a3,
                      (k(1.0574776) * m + k(1.3323929) * a) * m + (k(3.0923212) * a + k(.037398718)) * a,
                      m + (k(5.9148107) * a + k(1.3126427)) * a + k(.0072317305));
     }
@@ -104,14 +102,14 @@ struct dfg_fit_precise : detail::ggx_dfg_fit<dfg_fit_precise> {
         const T d3 = (k(4.6752467) - a) * m + k(19.079456) * a2 + k(.16968752);
         const T d2 = (k(24.166279) * a + k(86.776672)) * a2 + k(11.586927);
         const T d1 = (k(22.483315) * a + k(10.312562)) * a + k(.39994174);
-        return terms(m * a2 * ((n4 * a * m + n2) * m + (k(3.1924329) * a - k(.30789798)) * a + k(.1134351)),
-                     ((d3 * m + d2 * a2) * m + d1 * a2) * m + k(.48469669) * a3,
-                     ((k(.99683052) * m + ((k(-1.996815) * r + k(2.612494)) * r2 + k(1.4740415)) * r2) * m +
-                      k(4.2429142) * r4) *
-                             m +
-                         (k(.2249494) * r + k(.43820956)) * r5,
-                     (m + ((k(3.574554) * r + k(2.947536)) * r + k(1.1579635)) * r2) * m +
-                         ((k(.71944004) * r2 + k(.67032272)) * r + k(.066908963)) * r3);
+        return terms(
+            m * a2 * ((n4 * a * m + n2) * m + (k(3.1924329) * a - k(.30789798)) * a + k(.1134351)),
+            ((d3 * m + d2 * a2) * m + d1 * a2) * m + k(.48469669) * a3,
+            ((k(.99683052) * m + ((k(-1.996815) * r + k(2.612494)) * r2 + k(1.4740415)) * r2) * m + k(4.2429142) * r4) *
+                    m +
+                (k(.2249494) * r + k(.43820956)) * r5,
+            (m + ((k(3.574554) * r + k(2.947536)) * r + k(1.1579635)) * r2) * m +
+                ((k(.71944004) * r2 + k(.67032272)) * r + k(.066908963)) * r3);
     }
 };
 

@@ -48,14 +48,14 @@ struct dfg_hirvonen : detail::ggx_dfg_fit<dfg_hirvonen> {
     constexpr dfg_terms<T> operator()(const T& mu, const alpha<T>& width) const {
         const auto k = [](double x) { return detail::constant<T>(x); };
         const T m = mu, m2 = m * m, m3 = m2 * m, a = width.value(), a3 = a * a * a;
-        const T bias = ((k(.99044) - k(1.28514) * m) + (k(1.29678) - k(.755907) * m) * a) /
-                       ((T(1) + k(2.92338) * m + k(59.4188) * m3) +
-                        (k(20.3225) - k(27.0302) * m + k(222.592) * m3) * a +
-                        (k(121.563) + k(626.13) * m + k(316.627) * m3) * a3);
-        const T scale = ((k(.0365463) + k(3.32707) * m) + (k(9.0632) - k(9.04756) * m) * a) /
-                        ((T(1) + k(3.59685) * m2 - k(1.36772) * m3) +
-                         (k(9.04401) - k(16.3174) * m2 + k(9.22949) * m3) * a +
-                         (k(5.56589) + k(19.7886) * m2 - k(20.2123) * m3) * a3);
+        const T bias =
+            ((k(.99044) - k(1.28514) * m) + (k(1.29678) - k(.755907) * m) * a) /
+            ((T(1) + k(2.92338) * m + k(59.4188) * m3) + (k(20.3225) - k(27.0302) * m + k(222.592) * m3) * a +
+             (k(121.563) + k(626.13) * m + k(316.627) * m3) * a3);
+        const T scale =
+            ((k(.0365463) + k(3.32707) * m) + (k(9.0632) - k(9.04756) * m) * a) /
+            ((T(1) + k(3.59685) * m2 - k(1.36772) * m3) + (k(9.04401) - k(16.3174) * m2 + k(9.22949) * m3) * a +
+             (k(5.56589) + k(19.7886) * m2 - k(20.2123) * m3) * a3);
         return {scale, bias};
     }
 };
@@ -68,8 +68,8 @@ struct dfg_materialx : detail::ggx_dfg_fit<dfg_materialx> {
         const auto p = [&](double one, double x1, double y1, double xy, double x2, double y2, double x2y, double xy2,
                            double x2y2) {
             const auto k = [](double c) { return detail::constant<T>(c); };
-            return k(one) + k(x1) * x + k(y1) * y + k(xy) * x * y + k(x2) * x * x + k(y2) * y * y +
-                   k(x2y) * x * x * y + k(xy2) * x * y * y + k(x2y2) * x * x * y * y;
+            return k(one) + k(x1) * x + k(y1) * y + k(xy) * x * y + k(x2) * x * x + k(y2) * y * y + k(x2y) * x * x * y +
+                   k(xy2) * x * y * y + k(x2y2) * x * x * y * y;
         };
         const auto clamped = [](const T& t) { return smaller(larger(t, T(0)), T(1)); };
         return {clamped(p(.1003, -.6303, 9.748, -2.038, 29.34, -8.245, -26.44, 19.99, -5.448) /

@@ -111,7 +111,7 @@ struct dfg_grids {
 /// Domain: cosine = cos(theta_v) in [0,1], alpha in (0,1]; beyond it the edge answers. Scalar types only.
 /// Error against `dfg_exact`, 32 x 32, mu in [0.001,1], roughness in [0.03,1]: E 4e-4,
 /// scale and bias 5e-4, rms 5e-5 and 7e-5 (16 x 16: 1.4e-3, 1.7e-3; 64 x 64: 1.1e-4, 1.3e-4); separable masking the
-/// same; Beckmann 4e-3. scale, bias >= 0, E <= 1.
+/// same; Beckmann 3e-3. scale, bias >= 0, E <= 1.
 template <scalar T, class Masking, class OfWidth = ggx_of_width>
 class dfg_table {
 public:
@@ -143,8 +143,8 @@ private:
 };
 
 struct dfg_table_options {
-    int size = 32;   // nodes along each axis, at least 2
-    int order = 16;  // of the quadrature: 2 order^2 evaluations a node and term, 1e-5 at 16
+    int size = 32;  // nodes along each axis, at least 2
+    int order = 0;  // of the quadrature: 2 order^2 evaluations a node and term. 0: 16 for GGX, 32 for others, to 1e-5
 };
 
 /// Bakes a `dfg_table`: 2 size^2 albedos, a fiftieth of a second at 32 x 32. Build once, not per pixel. Of GGX, or of
@@ -155,13 +155,15 @@ dfg_table<T, Masking, OfWidth> bake_dfg(const Masking& masking_model, const dfg_
                                         const OfWidth& of_width = {}) {
     using W = detail::wide_t<T>;
     using axes = detail::dfg_axes<W>;
-    assert(options.size >= 2 && options.order >= 2 && "bake_dfg: size and order must be at least 2");
+    assert(options.size >= 2 && (options.order >= 2 || options.order == 0) &&
+           "bake_dfg: size and order must be at least 2");
     const int n = options.size;
+    const int order = options.order ? options.order : std::same_as<OfWidth, ggx_of_width> ? 16 : 32;
     const auto missing = [&](const W& mu, const W& r) {  // by the fit
         const alpha<W> a(r * r);
         const W grazing = a.value() * W(1e-6);  // house: a point of the table, mu = 0 to the eye of E
         const W c = smaller(larger(mu, grazing), W(1));
-        const dfg_terms<W> exact = dfg_exact(masking_model, c, a, {.order = options.order}, of_width);
+        const dfg_terms<W> exact = dfg_exact(masking_model, c, a, {.order = order}, of_width);
         const dfg_terms<W> fit = dfg_fit_medium{}(c, a);
         return dfg_terms<W>{exact.scale - fit.scale, exact.bias - fit.bias};
     };

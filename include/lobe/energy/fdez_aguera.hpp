@@ -1,16 +1,10 @@
 // Multiple scattering for image-based light, from the split-sum terms alone.
 #pragma once
 
-#include <lobe/energy/dfg.hpp>
+#include <lobe/energy/multiple_scattering.hpp>
 #include <lobe/fresnel/schlick.hpp>
 
 namespace lobe {
-
-/// What to multiply the prefiltered radiance and the irradiance/pi with.
-template <class S>
-struct ibl_weights {
-    S radiance, irradiance;
-};
 
 /// Fdez-Aguera 2019, "A Multiple-Scattering Microfacet Model for Real-Time Image Based Lighting", eq. 16-18 (the
 /// equations; the published listing counts the grazing Fresnel twice).
@@ -41,8 +35,7 @@ public:
     template <class S, scalar T>
     constexpr ibl_weights<S> operator()(const dfg_terms<T>& t, const S& F0,
                                         const std::type_identity_t<S>& albedo) const {
-        const ibl_weights<S> specular = (*this)(t, F0);
-        return {specular.radiance, specular.irradiance + albedo * (S(T(1)) - specular.radiance - specular.irradiance)};
+        return detail::over_a_base((*this)(t, F0), albedo);
     }
 
 private:
