@@ -73,8 +73,7 @@ public:
         const auto e = energy(S(first.fresnel().average()), a);
         const T kappa = T(1) + detail::constant<T>(2.5) * exp(T(-7) * a.value());
         const detail::first_bounce_of_table<F, T, Terms> albedo{first.fresnel(), a, terms};
-        return sum{detail::of_albedo(first, albedo),
-                   multiple_scattering_lobe<S, std::decay_t<decltype(e)>>(e, kappa)};
+        return sum{detail::of_albedo(first, albedo), multiple_scattering_lobe<S, std::decay_t<decltype(e)>>(e, kappa)};
     }
 
     /// For image-based light, F Schlick's: radiance F0 scale + F90 bias, irradiance F_ms (1 - E).

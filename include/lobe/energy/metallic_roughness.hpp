@@ -29,8 +29,7 @@ constexpr auto metallic_roughness(const S& base_color, const typename alpha<T>::
     const detail::first_bounce<std::decay_t<decltype(of_first)>> albedo{of_first};
     const reciprocal_coupling left{detail::all_bounces<std::decay_t<decltype(of_dielectric)>>{of_dielectric},
                                    of_dielectric.total_average()};
-    return sum{detail::of_albedo(first, albedo),
-               weighted{metallic, model.lobe(schlick{base_color}, a)},
+    return sum{detail::of_albedo(first, albedo), weighted{metallic, model.lobe(schlick{base_color}, a)},
                weighted{dielectric, model.lobe(schlick{dielectric_F0}, a)},
                weighted{dielectric, coupled{lambert{base_color}, left}}};
 }

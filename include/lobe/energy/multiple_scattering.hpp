@@ -109,8 +109,7 @@ private:
     constexpr S over_pi(const vec3<T>& v, const vec3<T>& l, const T& factor) const {
         const auto lit = above_horizon(v, l);
         const T up(1);
-        return energy(select(lit, v.z, up)) * energy(select(lit, l.z, up)) * over_average *
-               select(lit, factor, T(0));
+        return energy(select(lit, v.z, up)) * energy(select(lit, l.z, up)) * over_average * select(lit, factor, T(0));
     }
     /// k; g cos(dphi) is -pull (v.l - v.z l.z).
     constexpr T toward(const vec3<T>& v, const vec3<T>& l) const {
