@@ -42,11 +42,6 @@ int prefiltered_width(lobe::alpha<float> a, int environment_width) {
 
 }  // namespace
 
-split_sum_table bake_split_sum() {
-    const step progress("split-sum table, 32 x 32", 1);
-    return lobe::bake_dfg<float>(lobe::smith_correlated{}, {.size = 32});
-}
-
 float mean_over_directions(const lobe::latlong<float>& map) {
     double sum = 0, solid_angle = 0;
     for (int y = 0; y < map.height; ++y) {

@@ -2,13 +2,8 @@
 
 #include <vector>
 
-#include <lobe/energy/dfg_table.hpp>
 #include <lobe/ibl/latlong.hpp>
 #include <lobe/width/alpha.hpp>
-
-using split_sum_table = lobe::dfg_table<float, lobe::smith_correlated>;
-
-split_sum_table bake_split_sum();
 
 /// An environment and what image-based lighting keeps of it. All maps are lat-long.
 struct baked_light {

@@ -16,7 +16,7 @@ namespace {
 // The camera is far away and looks along +x, at the middle of the map; y is up, z is on its right.
 const vec3 V{-1, 0, 0};
 
-// ---- the three ways to light a point
+// ---- the four ways to light a point
 // -----------------------------------------------------------------------------------
 
 /// What the reference looks up: the map itself, and the small lights in it.
@@ -32,25 +32,33 @@ struct surface {
     const baked_light& light;
     const baked_light::level& level;  // of the surface's roughness
     const reference_map& map;
-    const split_sum_table& table;
 };
 
 /// (a) The split sum as tutorials have it: F0 scale + bias, over a body that gets 1 - F(n.v).
 vec3 single_scattering(const surface& s, const vec3& n) {
-    const lobe::dfg_terms<float> t = s.table(lobe::dot(n, V), s.level.alpha);
+    const lobe::dfg_terms<float> t = lobe::default_dfg{}(lobe::dot(n, V), s.level.alpha);
     const vec3 specular = s.m.f0 * t.scale + t.bias;
     const vec3 diffuse = s.m.albedo * (1.0f - lobe::schlick{s.m.f0}(lobe::dot(n, V)));
     return specular * s.level.radiance(lobe::reflect(V, n)) + diffuse * s.light.irradiance(n);
 }
 
-/// (b) The split sum with multiple scattering.
-vec3 multiple_scattering(const surface& s, const vec3& n) {
-    const lobe::dfg_terms<float> t = s.table(lobe::dot(n, V), s.level.alpha);
-    const auto w = lobe::fdez_aguera{}(t, s.m.f0, s.m.albedo);
+vec3 lit(const surface& s, const vec3& n, const lobe::ibl_weights<vec3>& w) {
     return w.radiance * s.level.radiance(lobe::reflect(V, n)) + w.irradiance * s.light.irradiance(n);
 }
 
-/// (c) One sample of the reference: a random walk on the microsurface that looks up the map itself. Walks of one bounce
+/// (b) With the multiple scattering of Fdez-Aguera.
+vec3 fdez_aguera(const surface& s, const vec3& n) {
+    const lobe::dfg_terms<float> t = lobe::default_dfg{}(lobe::dot(n, V), s.level.alpha);
+    return lit(s, n, lobe::fdez_aguera{}(t, s.m.f0, s.m.albedo));
+}
+
+/// (c) With the library's default.
+vec3 multiple_scattering(const surface& s, const vec3& n) {
+    const lobe::schlick fresnel{s.m.f0};
+    return lit(s, n, lobe::smith_multiscatter{}.weights(fresnel, lobe::dot(n, V), s.level.alpha, s.m.albedo));
+}
+
+/// (d) One sample of the reference: a random walk on the microsurface that looks up the map itself. Walks of one bounce
 /// have a closed form, smith_correlated, whose density is f_cos of a perfect mirror: so these find small lights by
 /// sampling the lights, too (multiple importance sampling, balance heuristic). What the facets do not reflect enters
 /// the body and comes back without a preferred direction: as irradiance, times the albedo.
@@ -112,34 +120,36 @@ struct disc {
 
 /// Fills in the errors of a sphere whose pictures are complete; `squared_error` is that of each pixel of the reference.
 void measure(sphere& s, const std::vector<double>& squared_error, const disc& area) {
-    double pixels = 0, energy = 0, variance = 0, single = 0, multiple = 0;
+    double pixels = 0, energy = 0, variance = 0;
     for (int y = 0; y < s.reference.height; ++y)
         for (int x = 0; x < s.reference.width; ++x) {
             if (area.coverage(x, y) < 1) continue;
             const double c = mean_of_channels(s.reference(x, y));
-            const double a = mean_of_channels(s.single(x, y)) - c, b = mean_of_channels(s.multiple(x, y)) - c;
-            single += a;
-            multiple += b;
-            s.single_error.largest = std::max(s.single_error.largest, std::abs(a));
-            s.multiple_error.largest = std::max(s.multiple_error.largest, std::abs(b));
+            const auto add = [&](error_of_energy& error, const image& picture) {
+                const double off = mean_of_channels(picture(x, y)) - c;
+                error.mean += off;
+                error.largest = std::max(error.largest, std::abs(off));
+            };
+            add(s.single_error, s.single);
+            add(s.fdez_aguera_error, s.fdez_aguera);
+            add(s.multiple_error, s.multiple);
             energy += c;
             variance += squared_error[static_cast<std::size_t>(y * s.reference.width + x)];
             ++pixels;
         }
     const double mean = energy / pixels;
-    s.single_error = {single / energy, s.single_error.largest / mean};
-    s.multiple_error = {multiple / energy, s.multiple_error.largest / mean};
+    for (error_of_energy* error : {&s.single_error, &s.fdez_aguera_error, &s.multiple_error})
+        *error = {error->mean / energy, error->largest / mean};
     s.noise = std::sqrt(variance / pixels) / mean;
 }
 
 }  // namespace
 
-std::vector<sphere> render(const material& m, const baked_light& light, const split_sum_table& table,
-                           const vec3& background, const settings& set) {
+std::vector<sphere> render(const material& m, const baked_light& light, const vec3& background, const settings& set) {
     const disc area(set.tile);
     const auto tile = static_cast<std::size_t>(set.tile);
     const image blank{set.tile, set.tile};
-    std::vector<sphere> spheres(light.levels.size(), sphere{blank, blank, blank, blank, {}, {}, 0});
+    std::vector<sphere> spheres(light.levels.size(), sphere{blank, blank, blank, blank, blank, blank, {}, {}, {}, 0});
     std::vector<std::vector<double>> squared_errors(spheres.size(), std::vector<double>(tile * tile));
     step progress("spheres of " + m.name, (spheres.size() + 1) * tile);
 
@@ -158,25 +168,28 @@ std::vector<sphere> render(const material& m, const baked_light& light, const sp
         const std::size_t column = row / tile;
         const int y = static_cast<int>(row % tile);
         const auto& level = light.levels[column];
-        const surface s{m, light, level, map, table};
+        const surface s{m, light, level, map};
         sphere& out = spheres[column];
         for (int x = 0; x < set.tile; ++x) {
             const float coverage = area.coverage(x, y);
             // its seed: the same whatever core it runs on
             const std::size_t pixel = row * tile + static_cast<std::size_t>(x);
-            vec3 a{0}, b{0};
-            lobe::sampled<vec3> c{};
+            vec3 a{0}, b{0}, c{0};
+            lobe::sampled<vec3> truth{};
             if (coverage > 0) {
                 const vec3 n = area.normal(x, y);
                 a = single_scattering(s, n);
-                b = multiple_scattering(s, n);
-                c = reference(s, n, irradiance(x, y), set.samples, mixed_bits(set.seed) ^ pixel);
+                b = fdez_aguera(s, n);
+                c = multiple_scattering(s, n);
+                truth = reference(s, n, irradiance(x, y), set.samples, mixed_bits(set.seed) ^ pixel);
             }
             out.single(x, y) = mix(background, a, coverage);
-            out.multiple(x, y) = mix(background, b, coverage);
-            out.reference(x, y) = mix(background, c.value, coverage);
-            out.difference(x, y) = abs(out.multiple(x, y) - out.reference(x, y));
-            const double error = mean_of_channels(c.standard_error);
+            out.fdez_aguera(x, y) = mix(background, b, coverage);
+            out.multiple(x, y) = mix(background, c, coverage);
+            out.reference(x, y) = mix(background, truth.value, coverage);
+            out.fdez_aguera_off(x, y) = abs(out.fdez_aguera(x, y) - out.reference(x, y));
+            out.multiple_off(x, y) = abs(out.multiple(x, y) - out.reference(x, y));
+            const double error = mean_of_channels(truth.standard_error);
             squared_errors[column][pixel - column * tile * tile] = error * error;
         }
         progress.advance();

@@ -34,11 +34,10 @@ struct error_of_energy {
 
 /// One material at one roughness: its pictures (radiance), and what they miss.
 struct sphere {
-    image single, multiple, reference, difference;
-    error_of_energy single_error, multiple_error;
+    image single, fdez_aguera, multiple, reference, fdez_aguera_off, multiple_off;
+    error_of_energy single_error, fdez_aguera_error, multiple_error;
     double noise;  // standard error of the reference, rms over the pixels / mean of the reference
 };
 
 /// One sphere for each level of the light.
-std::vector<sphere> render(const material&, const baked_light&, const split_sum_table&, const vec3& background,
-                           const settings&);
+std::vector<sphere> render(const material&, const baked_light&, const vec3& background, const settings&);

@@ -12,7 +12,8 @@
 
 namespace {
 
-constexpr std::array rows{&sphere::single, &sphere::multiple, &sphere::reference, &sphere::difference};
+constexpr std::array rows{&sphere::single,    &sphere::fdez_aguera,     &sphere::multiple,
+                          &sphere::reference, &sphere::fdez_aguera_off, &sphere::multiple_off};
 
 std::string text(double x, int digits) {
     std::ostringstream out;
@@ -53,10 +54,11 @@ void report::print_errors(std::ostream& out) const {
         const bool nothing = std::abs(x) < 0.5e-4;  // 0.00, without a sign
         out << std::setw(width) << fixed(nothing ? 0 : 100 * x, 2);
     };
-    out << "\nerrors of energy against the random walk (c), in percent: " << title << "\n"
-        << "(c): " << samples << " random walks a pixel, " << noise() << "\n"
-        << "                    (a) single scattering   (b) multiple scattering    noise of (c)\n"
-        << "         roughness       mean     largest        mean     largest   rms, of a pixel\n";
+    out << "\nerrors of energy against the random walk (d), in percent: " << title << "\n"
+        << "(d): " << samples << " random walks a pixel, " << noise() << "\n"
+        << "                    (a) single scattering      (b) Fdez-Aguera       (c) smith_multiscatter  noise of (d)\n"
+        << "         roughness       mean     largest        mean     largest        mean     largest   rms, of a "
+           "pixel\n";
     for (const auto& r : results) {
         out << r.of.name << "\n";
         for (std::size_t i = 0; i < r.spheres.size(); ++i) {
@@ -64,13 +66,15 @@ void report::print_errors(std::ostream& out) const {
             out << std::setw(18) << fixed(roughnesses[i], 2);
             percent(s.single_error.mean, 11);
             percent(s.single_error.largest, 12);
+            percent(s.fdez_aguera_error.mean, 12);
+            percent(s.fdez_aguera_error.largest, 12);
             percent(s.multiple_error.mean, 12);
             percent(s.multiple_error.largest, 12);
             percent(s.noise, 14);
             out << "\n";
         }
     }
-    out << "mean: sum of the differences / sum of (c) over a sphere's pixels; largest: of a pixel, / mean of (c)\n"
+    out << "mean: sum of the differences / sum of (d) over a sphere's pixels; largest: of a pixel, / mean of (d)\n"
         << std::flush;
 }
 
@@ -79,7 +83,8 @@ float report::scale_end() const {
     std::vector<float> all;
     for (const auto& r : results)
         for (const sphere& s : r.spheres)
-            for (const vec3& d : s.difference.pixels) all.push_back(mean_of_channels(d) / mean_radiance);
+            for (const auto off : {&sphere::fdez_aguera_off, &sphere::multiple_off})
+                for (const vec3& d : (s.*off).pixels) all.push_back(mean_of_channels(d) / mean_radiance);
     const auto high = all.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(all.size()));
     std::nth_element(all.begin(), high, all.end());
     const float decade = std::pow(10.0f, std::floor(std::log10(std::max(*high, 1e-6f))));
@@ -92,17 +97,25 @@ template <class Screen>
 image report::page(const font& face, const std::string& note, const Screen& screen) const {
     sheet s;
     s.title = title;
-    s.notes = {"(c): " + std::to_string(samples) + " random walks a pixel (Heitz et al. 2016), " + noise(), note};
+    s.notes = {"(d): " + std::to_string(samples) + " random walks a pixel (Heitz et al. 2016), " + noise(), note};
     s.column_title = "roughness";
     for (const float r : roughnesses) s.columns.push_back(fixed(r, 2));
     s.scale_end = scale_end();
-    s.scale_title = "(d): difference of radiance, mean of r, g and b, in units of the light's mean radiance (" +
+    s.scale_title = "(e), (f): difference of radiance, mean of r, g and b, in units of the light's mean radiance (" +
                     text(mean_radiance, 3) + ")";
 
     const float unit = 1 / (s.scale_end * mean_radiance);
-    const std::array<const char*, rows.size()> labels{"(a) single scattering", "(b) multiple scattering",
-                                                      "(c) random walk", "(d) |b − c|"};
-    std::array<const char*, rows.size()> details{"split sum", "split sum; Fdez-Agüera 2019", "the reference",
+    const std::array<const char*, rows.size()> labels{"(a) single scattering",
+                                                      "(b) multiple scattering",
+                                                      "(c) multiple scattering",
+                                                      "(d) random walk",
+                                                      "(e) |b − d|",
+                                                      "(f) |c − d|"};
+    std::array<const char*, rows.size()> details{"split sum",
+                                                 "split sum; Fdez-Agüera 2019",
+                                                 "split sum; smith_multiscatter",
+                                                 "the reference",
+                                                 "in false colours",
                                                  "in false colours"};
     for (const auto& r : results) {
         const vec3 f0 = r.of.f0;
@@ -116,8 +129,7 @@ image report::page(const font& face, const std::string& note, const Screen& scre
             group.rows.push_back({labels[i], details[i], {}});
             for (const sphere& one : r.spheres) {
                 image tile = one.*rows[i];
-                for (vec3& c : tile.pixels)
-                    c = rows[i] == &sphere::difference ? false_colour(mean_of_channels(c) * unit) : screen(c);
+                for (vec3& c : tile.pixels) c = i >= 4 ? false_colour(mean_of_channels(c) * unit) : screen(c);
                 group.rows.back().tiles.push_back(std::move(tile));
             }
         }
@@ -130,7 +142,7 @@ image report::tone_mapped_page(const font& face) const {
     // a white matte sphere sends back the light's mean radiance, on average over it
     const float exposure = 0.5f / mean_radiance;
     return page(face,
-                "(a) to (c): radiance × " + text(exposure, 3) +
+                "(a) to (d): radiance × " + text(exposure, 3) +
                     " (0.5 / mean radiance of the light), ACES filmic curve (Narkowicz 2015), sRGB",
                 [&](const vec3& c) { return tone_mapped(c, exposure); });
 }
@@ -138,7 +150,7 @@ image report::tone_mapped_page(const font& face) const {
 image report::furnace_page(const font& face) const {
     return page(
         face,
-        "(a) to (c): radiance × 0.8, sRGB. A sphere that keeps all energy cannot be told from the light behind it.",
+        "(a) to (d): radiance × 0.8, sRGB. A sphere that keeps all energy cannot be told from the light behind it.",
         [&](const vec3& c) { return as_it_is(c, 0.8f); });
 }
 
