@@ -51,9 +51,8 @@ std::vector<vec2<float>> dfg_texels(const Masking& masking, const dfg_layout& la
         for (int i = 0; i < layout.width; ++i) {
             const double mu = larger(place(i, layout.width), width.value() * 1e-6);  // house: a column, mu = 0
             const dfg_terms<double> t = dfg_exact(masking, mu, width, {.order = order}, of_width);
-            texels.push_back(layout.channels == dfg_layout::channels::scale_bias
-                                 ? vec2<float>(t.scale, t.bias)
-                                 : vec2<float>(t.bias, t.albedo()));
+            texels.push_back(layout.channels == dfg_layout::channels::scale_bias ? vec2<float>(t.scale, t.bias)
+                                                                                 : vec2<float>(t.bias, t.albedo()));
         }
     }
     return texels;
