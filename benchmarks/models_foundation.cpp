@@ -243,6 +243,16 @@ section dfg_look_up() {
     rows.against(
         "Karis 2014, mobile fit", [](const auto& e) { return two(textbook::karis_mobile(e.v().z, e.a())); }, exact_dfg,
         "model");
+    const auto fit = [&](const char* label, auto terms) {
+        rows.against(
+            label, [terms](const auto& e) { return two(terms(e.v().z, e.alpha())); }, exact_dfg, "model");
+    };
+    fit("lobe `dfg_fit_tiny`", lobe::dfg_fit_tiny{});
+    fit("lobe `dfg_fit_cheap`", lobe::dfg_fit_cheap{});
+    fit("lobe `dfg_fit_medium`", lobe::dfg_fit_medium{});
+    fit("lobe `dfg_fit_precise`", lobe::dfg_fit_precise{});
+    fit("Hirvonen et al. 2019, `dfg_hirvonen`", lobe::dfg_hirvonen{});
+    fit("MaterialX, `dfg_materialx`", lobe::dfg_materialx{});
     return rows.made;
 }
 

@@ -164,6 +164,19 @@ section multiple_scattering() {
         "`fdez_aguera`, terms from `dfg_table`",
         [](const auto& e) { return fdez_aguera(e, e.built().dfg(e.v().z, e.alpha())); }, "`random_walk`",
         [](const auto& e) { return mean_of_walks(e, walks); });
+    const auto weights = [&](const char* label, auto model) {
+        rows.add(
+            label,
+            [model](const auto& e) {
+                const auto w = model.weights(lobe::schlick{e.F0()}, e.v().z, e.alpha());
+                return three(w.radiance + w.irradiance);
+            },
+            "`random_walk`", [](const auto& e) { return mean_of_walks(e, walks); });
+    };
+    weights("`turquin`, terms from `dfg_fit_precise`", lobe::turquin{lobe::dfg_fit_precise{}});
+    weights("`kulla_conty`, terms from `dfg_fit_precise`", lobe::kulla_conty{lobe::dfg_fit_precise{}});
+    weights("`smith_multiscatter`, terms from `dfg_fit_precise`", lobe::smith_multiscatter{lobe::dfg_fit_precise{}});
+    weights("`smith_multiscatter`", lobe::smith_multiscatter{});
     rows.add("`random_walk`, one walk", [](const auto& e) { return mean_of_walks(e, 1); });
     rows.only_timed();
     return rows.made;

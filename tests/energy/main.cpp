@@ -123,8 +123,7 @@ double nanoseconds(const G& g) {
 
 template <class T>
 auto gold(const alpha<T>& a) {
-    return lobe::microfacet{lobe::ggx{a}, lobe::smith_correlated{},
-                            schlick{vec3<T>{T(1), T(0.71f), T(0.29f)}}};
+    return lobe::microfacet{lobe::ggx{a}, lobe::smith_correlated{}, schlick{vec3<T>{T(1), T(0.71f), T(0.29f)}}};
 }
 
 template <class Make>
@@ -196,10 +195,12 @@ int main(int argc, char** argv) try {
     brdf_row("`turquin`", [](const auto& b) { return compensated{b, lobe::turquin{}}; });
     brdf_row("`kulla_conty`", [](const auto& b) { return compensated{b, lobe::kulla_conty{}}; });
     brdf_row("`smith_multiscatter`", [](const auto& b) { return compensated{b}; });
-    brdf_row("`smith_multiscatter`, `forward()`",
-             [](const auto& b) { return compensated{b, lobe::smith_multiscatter{}.forward()}; });
-    brdf_row("`smith_multiscatter`, terms from `dfg_fit_cheap`",
-             [](const auto& b) { return compensated{b, lobe::smith_multiscatter{lobe::dfg_fit_cheap{}}}; });
+    brdf_row("`smith_multiscatter`, `forward()`", [](const auto& b) {
+        return compensated{b, lobe::smith_multiscatter{}.forward()};
+    });
+    brdf_row("`smith_multiscatter`, terms from `dfg_fit_cheap`", [](const auto& b) {
+        return compensated{b, lobe::smith_multiscatter{lobe::dfg_fit_cheap{}}};
+    });
 
     std::cout << "\n| weights for image-based light | ns |\n|:--|--:|\n";
     const auto weights_row = [&](const std::string& name, const auto& weights) {
@@ -208,16 +209,14 @@ int main(int argc, char** argv) try {
             return w.radiance.y + w.irradiance.y;
         })) << " |\n";
     };
-    weights_row("`turquin`",
-                [](const auto& F, float mu, const auto& a) { return lobe::turquin{}.weights(F, mu, a); });
+    weights_row("`turquin`", [](const auto& F, float mu, const auto& a) { return lobe::turquin{}.weights(F, mu, a); });
     weights_row("`fdez_aguera`", [](const auto& F, float mu, const auto& a) {
         return lobe::fdez_aguera{}(lobe::default_dfg{}(mu, a), F.F0());
     });
     weights_row("`kulla_conty`",
                 [](const auto& F, float mu, const auto& a) { return lobe::kulla_conty{}.weights(F, mu, a); });
-    weights_row("`smith_multiscatter`", [](const auto& F, float mu, const auto& a) {
-        return lobe::smith_multiscatter{}.weights(F, mu, a);
-    });
+    weights_row("`smith_multiscatter`",
+                [](const auto& F, float mu, const auto& a) { return lobe::smith_multiscatter{}.weights(F, mu, a); });
 } catch (const std::exception& e) {
     std::cerr << "energy_models: " << e.what() << '\n';
     return 1;
