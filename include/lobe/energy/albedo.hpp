@@ -97,6 +97,7 @@ auto average_albedo(const B& b, const quadrature& options = {}) {
     int evaluations = 0;
     const auto at_order = [&](int order) {
         const gauss_legendre<W> rule(order);
+        const detail::hemisphere_rule<W> directions(order);
         WS total(W(0));
         detail::for_each_lobe(b, [&](const auto& lobe) {
             const auto creases = detail::creases_of(lobe);
@@ -112,7 +113,7 @@ auto average_albedo(const B& b, const quadrature& options = {}) {
                         ++evaluations;
                         return lobe.f_cos(v, l);
                     };
-                    total = total + detail::hemisphere_integral_at(f_cos, v, lobe.width(), true, order, creases) *
+                    total = total + detail::hemisphere_integral_at(f_cos, v, lobe.width(), true, directions, creases) *
                                         (W(2) * rule.w[i] * range * node.slope * mu);
                 }
             }
