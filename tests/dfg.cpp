@@ -2,8 +2,9 @@
 #include "catch.hpp"
 #include "support.hpp"
 
-#include <lobe/energy/dfg_export.hpp>
 #include <lobe/lobe.hpp>
+
+#include <glm/gtc/packing.hpp>
 
 #include <fstream>
 #include <iomanip>
@@ -194,26 +195,43 @@ TEST_CASE("split-sum terms of anisotropic surfaces, from a table of four axes", 
     CHECK(std::abs(normal.albedo() - lobe::default_dfg{}(1.0f, alpha{0.3f}).albedo()) < 1e-2f);
 }
 
-TEST_CASE("split-sum terms as a texture: each convention", "[dfg]") {
+TEST_CASE("split-sum terms as a texture: each convention, read back", "[dfg]") {
     using lobe::dfg_layout;
-    const auto exact = [](double mu, double a) {
-        return lobe::dfg_exact(smith_correlated{}, mu, alpha{a}, {.order = 32});
-    };
+    constexpr int columns = 9, rows = 5;
     for (const auto channels : {dfg_layout::channels::scale_bias, dfg_layout::channels::bias_albedo})
         for (const auto axis : {dfg_layout::axis::roughness, dfg_layout::axis::alpha})
             for (const auto samples : {dfg_layout::samples::centres, dfg_layout::samples::nodes})
                 for (const auto first : {dfg_layout::first_row::smooth, dfg_layout::first_row::rough}) {
-                    const dfg_layout layout{9, 5, channels, axis, samples, first};
-                    const auto texels = lobe::dfg_texels(smith_correlated{}, layout);
-                    REQUIRE(texels.size() == 45);
-                    // the texel of column 5 in the row that is the second smoothest
-                    const bool nodes = samples == dfg_layout::samples::nodes;
-                    const double x = nodes ? 5.0 / 8 : 5.5 / 9, y = nodes ? 1.0 / 4 : 1.5 / 5;
-                    const auto t = exact(x, axis == dfg_layout::axis::roughness ? y * y : y);
-                    const auto& read = texels[first == dfg_layout::first_row::smooth ? 9 + 5 : 3 * 9 + 5];
-                    const bool plain = channels == dfg_layout::channels::scale_bias;
-                    CHECK(std::abs(static_cast<double>(read.x) - (plain ? t.scale : t.bias)) < 1e-5);
-                    CHECK(std::abs(static_cast<double>(read.y) - (plain ? t.bias : t.albedo())) < 1e-5);
+                    const auto texels =
+                        lobe::dfg_texels(smith_correlated{}, {columns, rows, channels, axis, samples, first});
+                    const auto half = lobe::rg16f(texels), unorm = lobe::rg16_unorm(texels);
+                    REQUIRE(texels.size() == columns * rows);
+                    double in_float = 0, in_half = 0, in_unorm = 0;
+                    for (int i = 0; i < columns; ++i)
+                        for (int j = 0; j < rows; ++j) {
+                            const bool nodes = samples == dfg_layout::samples::nodes;
+                            const double x = nodes ? i / (columns - 1.0) : (i + 0.5) / columns;
+                            const double y = nodes ? j / (rows - 1.0) : (j + 0.5) / rows;
+                            const double a = axis == dfg_layout::axis::roughness ? y * y : y;
+                            if (x * a == 0) continue;
+                            const auto t = lobe::dfg_exact(smith_correlated{}, x, alpha{a}, {.order = 32});
+                            const int row = first == dfg_layout::first_row::smooth ? j : rows - 1 - j;
+                            const auto at = static_cast<std::size_t>(row * columns + i);
+                            const bool plain = channels == dfg_layout::channels::scale_bias;
+                            const double expected[] = {plain ? t.scale : t.bias, plain ? t.bias : t.albedo()};
+                            for (int c = 0; c < 2; ++c) {
+                                const auto k = 2 * at + static_cast<std::size_t>(c);
+                                const auto off = [&](float read) {
+                                    return std::abs(static_cast<double>(read) - expected[c]);
+                                };
+                                in_float = larger(in_float, off(texels[at][c]));
+                                in_half = larger(in_half, off(glm::unpackHalf1x16(half[k])));
+                                in_unorm = larger(in_unorm, off(static_cast<float>(unorm[k]) / 65535));
+                            }
+                        }
+                    CHECK(in_float < 1e-5);
+                    CHECK(in_half < 1e-5 + 0x1p-12);
+                    CHECK(in_unorm < 1e-5 + 0.5 / 65535);
                 }
     // the limits at the nodes of 0: all light at grazing, F0 + (1 - F0) (1 - mu)^5 of a mirror
     const auto corner =
@@ -221,14 +239,22 @@ TEST_CASE("split-sum terms as a texture: each convention", "[dfg]") {
     CHECK(corner[0].x + corner[0].y == Catch::Approx(1).margin(1e-4));
     CHECK(corner[1].y == Catch::Approx(std::pow(0.5, 5)).margin(1e-4));
     CHECK(corner[6].x + corner[6].y == Catch::Approx(1).margin(1e-4));
+}
 
-    const std::vector<lobe::vec2<float>> some{{0.0f, 1.0f}, {0.3f, 0.7f}, {1e-3f, 0.99999f}};
-    const auto half = lobe::rg16f(some), unorm = lobe::rg16_unorm(some);
-    for (std::size_t i = 0; i < 6; ++i) {
-        const float value = i % 2 ? some[i / 2].y : some[i / 2].x;
-        CHECK(std::abs(glm::unpackHalf1x16(half[i]) - value) <= value * 0x1p-11f);
-        CHECK(std::abs(static_cast<float>(unorm[i]) / 65535 - value) <= 0.51f / 65535);
+TEST_CASE("halves are the nearest, ties to even", "[dfg]") {
+    const auto bits_of = [](float x) { return lobe::rg16f({{x, 0.0f}})[0]; };
+    int wrong = 0;
+    for (unsigned h = 0; h < 0x3c00; ++h) {  // from 0 up to 1
+        const auto low = static_cast<std::uint16_t>(h), high = static_cast<std::uint16_t>(h + 1);
+        const float x = glm::unpackHalf1x16(low), tie = (x + glm::unpackHalf1x16(high)) / 2;  // exact in float
+        wrong += bits_of(x) != low;
+        wrong += bits_of(std::nextafter(tie, 0.0f)) != low;
+        wrong += bits_of(tie) != (h % 2 ? high : low);
+        wrong += bits_of(std::nextafter(tie, 1.0f)) != high;
     }
+    CHECK(wrong == 0);
+    CHECK(bits_of(1.0f) == 0x3c00);
+    CHECK(lobe::rg16_unorm({{0.0f, 1.00001f}}) == std::vector<std::uint16_t>{0, 65535});
 }
 
 TEST_CASE("a table of 64 x 64 holds at its nodes what quadrature says", "[dfg]") {
