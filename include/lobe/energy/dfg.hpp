@@ -78,13 +78,13 @@ struct split_sum {
     microfacet<N, Masking, schlick_terms> lobe;
     vec3<T> v;
 
-    split_sum(const N& ndf, const Masking& masking_model, const T& mu)
-        : lobe(ndf, masking_model, schlick_terms{}), v(view_at(mu)) {}
+    split_sum(const N& ndf, const Masking& masking_model, const vec3<T>& view)
+        : lobe(ndf, masking_model, schlick_terms{}), v(view) {}
 
     vec2<T> operator()(const vec3<T>& l) const { return lobe.f_cos(v, l); }
 
     dfg_terms<T> at(const hemisphere_rule<T>& rule) const {
-        const vec2<T> terms = hemisphere_integral_at(*this, v, lobe.width(), true, rule);
+        const vec2<T> terms = hemisphere_integral_at(*this, v, lobe.width(), N::isotropic, rule);
         return {terms.x, terms.y};
     }
 };
@@ -101,7 +101,7 @@ dfg_terms<T> dfg_exact(const Masking& masking_model, const T& mu, const alpha<T>
                        const OfWidth& of_width = {}) {
     using W = detail::wide_t<T>;
     assert(mu > T(0) && mu <= T(1) && "dfg_exact: the cosine must be in (0,1]");
-    const detail::split_sum terms(of_width(alpha<W>(W(a.value()))), masking_model, W(mu));
+    const detail::split_sum terms(of_width(alpha<W>(W(a.value()))), masking_model, detail::view_at(W(mu)));
     if (options.order) {
         const dfg_terms<W> t = terms.at(options.order);
         return {T(t.scale), T(t.bias)};

@@ -49,7 +49,7 @@ std::vector<vec2<float>> dfg_texels(const Masking& masking, const dfg_layout& la
         const alpha<double> width(larger(a, 1e-4));  // house: a row of a table, alpha = 0 to the eye
         for (int i = 0; i < layout.width; ++i) {
             const double mu = larger(place(i, layout.width), width.value() * 1e-6);  // house: a column, mu = 0
-            const dfg_terms<double> t = detail::split_sum(of_width(width), masking, mu).at(rule);
+            const dfg_terms<double> t = detail::split_sum(of_width(width), masking, detail::view_at(mu)).at(rule);
             texels.push_back(layout.channels == dfg_layout::channels::scale_bias ? vec2<float>(t.scale, t.bias)
                                                                                  : vec2<float>(t.bias, t.albedo()));
         }

@@ -173,7 +173,7 @@ dfg_table<T, Masking, OfWidth> bake_dfg(const Masking& masking_model, const dfg_
         for (int column = 0; column < n; ++column) {
             const W grazing = a.value() * W(1e-6);  // house: a point of the table, mu = 0 to the eye of E
             const W mu = smaller(larger(axes::mu(W(column) / W(n - 1), r), grazing), W(1));
-            const dfg_terms<W> exact = detail::split_sum(of_width(a), masking_model, mu).at(rule);
+            const dfg_terms<W> exact = detail::split_sum(of_width(a), masking_model, detail::view_at(mu)).at(rule);
             const dfg_terms<W> fit = dfg_fit_medium{}(mu, a);
             table.square.insert(table.square.end(), {T(exact.albedo() - fit.albedo()), T(exact.scale - fit.scale)});
         }
