@@ -237,8 +237,9 @@ public:
 template <class T, class G, class S, class W>
 void add_along(const typename hemisphere_rule<W>::ray& nodes, const W from, const W to, const W dx, const W dy,
                const vec3<W> v, const W ray_weight, const G& integrand, node_sums<S>& sums) {
-    // a copy, which no store to the sums can change
-    const std::conditional_t<std::is_trivially_copyable_v<G>, const G, const G&> g = integrand;
+    // a copy, which no store to the sums can change, unless there is a table in it
+    constexpr bool small = std::is_trivially_copyable_v<G> && sizeof(G) <= 256;
+    const std::conditional_t<small, const G, const G&> g = integrand;
     const W *back = nodes.back.data(), *weights = nodes.weight.data();
     const auto add = sums.adder();
     const W length = to - from, d2 = dx * dx + dy * dy, e = dx * v.x + dy * v.y, weight = ray_weight * length;
@@ -268,10 +269,11 @@ void add_along(const typename hemisphere_rule<W>::ray& nodes, const W from, cons
 /// so that each piece is smooth: the slopes along a ray where
 ///   v.m = c:  (p^2 - c^2 |d|^2) r^2 - 2 v.z p r + q = 0,  p = d.(v.x, v.y),  q = v.z^2 - c^2,
 /// with nodes that crowd like the root on both sides of a cut; the azimuths where a ray touches that circle, and those
-/// where it meets the horizon.
+/// where it meets the horizon. `evaluations`: how many are added to it.
 template <class T, class G>
 auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, bool mirrored,
-                            const hemisphere_rule<wide_t<T>>& rule, const std::vector<wide_t<T>>& creases = {}) {
+                            const hemisphere_rule<wide_t<T>>& rule, const std::vector<wide_t<T>>& creases = {},
+                            int* evaluations = nullptr) {
     using W = wide_t<T>;
     using S = wide_t<decltype(g(v))>;
     using std::sqrt;
@@ -300,6 +302,7 @@ auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, 
                 add_along<T>(from > W(0) ? rule.cut : rule.whole, from, to, dx, dy, view, at.weight, g, sums);
                 from = to;
             }
+            if (evaluations) *evaluations += static_cast<int>(slopes.size() * azimuths.size());
         }
     };
     const auto cuts = azimuths_of(creases, view, vec2<W>{wx, wy}, vec2<W>{toward_x, toward_y});
@@ -330,11 +333,7 @@ auto hemisphere_integral(const G& g, const vec3<T>& v, const vec2<T>& width, boo
     assert((options.order == 0 || options.order >= 2) && "hemisphere_integral: order must be at least 2, or 0");
     int evaluations = 0;
     const auto at_order = [&](int order) {
-        const auto counted = [&](const vec3<T>& l) {
-            ++evaluations;
-            return g(l);
-        };
-        return detail::hemisphere_integral_at(counted, v, width, mirrored, order, creases);
+        return detail::hemisphere_integral_at(g, v, width, mirrored, order, creases, &evaluations);
     };
     const auto result = detail::converge<W>(at_order, options, 192);
     const W rounded = detail::rounding<T>(result.value, W(smaller(width.x, width.y)) * W(v.z), result.order);
