@@ -213,13 +213,13 @@ public:
 template <int N, scalar W>
 class node_sums<glm::vec<N, W, glm::defaultp>> {
     using S = glm::vec<N, W, glm::defaultp>;
-    std::array<std::vector<W>, N> sums;
+    std::array<std::vector<W>, std::size_t{N}> sums;
 
 public:
     node_sums(std::size_t nodes, const S& zero) { sums.fill(std::vector<W>(nodes, zero.x)); }
     auto adder() {
-        std::array<W*, N> sum;
-        for (std::size_t c = 0; c < N; ++c) sum[c] = sums[c].data();
+        std::array<W*, std::size_t{N}> sum;
+        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] = sums[c].data();
         return [sum](std::size_t j, const S& g) {
             for (int c = 0; c < N; ++c) sum[static_cast<std::size_t>(c)][j] += g[c];
         };
@@ -238,8 +238,8 @@ template <class T, class G, class S, class W>
 void add_along(const typename hemisphere_rule<W>::ray& nodes, const W from, const W to, const W dx, const W dy,
                const vec3<W> v, const W ray_weight, const G& integrand, node_sums<S>& sums) {
     // a copy, which no store to the sums can change, unless there is a table in it
-    constexpr bool small = std::is_trivially_copyable_v<G> && sizeof(G) <= 256;
-    const std::conditional_t<small, const G, const G&> g = integrand;
+    constexpr bool by_value = std::is_trivially_copyable_v<G> && sizeof(G) <= 256;
+    const std::conditional_t<by_value, const G, const G&> g = integrand;
     const W *back = nodes.back.data(), *weights = nodes.weight.data();
     const auto add = sums.adder();
     const W length = to - from, d2 = dx * dx + dy * dy, e = dx * v.x + dy * v.y, weight = ray_weight * length;
