@@ -73,6 +73,7 @@
 #include <lobe/energy/compensated.hpp>
 #include <lobe/energy/default_dfg.hpp>
 #include <lobe/energy/dfg.hpp>
+#include <lobe/energy/dfg_export.hpp>
 #include <lobe/energy/dfg_fit.hpp>
 #include <lobe/energy/dfg_published.hpp>
 #include <lobe/energy/dfg_table.hpp>
