@@ -16,12 +16,13 @@ concept fresnel_for = distribution<N> && fresnel<F, typename N::scalar>;
 
 }  // namespace detail
 
-/// Reached by parts that do not fit: says which one, and what to write.
+/// Reached by parts that do not fit: says which is the first that does not, and what to write. What is evaluated of
+/// it is of any type, so that there is no second error.
 template <class N, class M, class F, class Sampler = visible_normals>
 class microfacet {
     static constexpr bool area = distribution<N> || !normal_density<N>, first = distribution<N> || !area;
-    static constexpr bool second = masking<M, N> || !distribution<N>,
-                          third = detail::fresnel_for<F, N> || !distribution<N>;
+    static constexpr bool second = masking<M, N> || !distribution<N>;
+    static constexpr bool third = detail::fresnel_for<F, N> || !masking<M, N>;
     static_assert(area, "these normals have no projected area in closed form: write tabulated{...}, built once, or "
                         "masked_by{..., ggx{alpha{0.3f}}}");
     static_assert(
@@ -33,8 +34,26 @@ class microfacet {
         third, "microfacet{distribution, masking, Fresnel}: the third is a callable of v.m in the scalar type of the "
                "distribution: schlick{0.04f} for ggx{alpha{0.3f}}, schlick{0.04} for ggx{alpha{0.3}}");
 
+    struct anything {
+        template <class X>
+        operator X() const;
+    };
+    struct answer {
+        anything f_cos, l, weight, pdf;
+    };
+
 public:
     constexpr microfacet(const N&, const M&, const F&, const Sampler& = {}) {}
+    template <class... W>
+    anything f(const W&...) const;
+    template <class... W>
+    anything f_cos(const W&...) const;
+    template <class... W>
+    anything pdf(const W&...) const;
+    template <class... W>
+    answer evaluate(const W&...) const;
+    template <class... W>
+    answer sample(const W&...) const;
 };
 
 /// f(v,l) = F(v.m) D(m) G2(v,l) / (4 cos(theta_v) cos(theta_l)) = F D / (4 den), in 1/sr. Cook & Torrance 1982; Walter

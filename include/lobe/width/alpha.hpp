@@ -20,6 +20,14 @@ public:
         assert(all(a > T(0)) && all(detail::finite(a)) && "alpha must be above 0 and finite");
     }
 
+    /// Not chosen by `alpha{0.3f}`, nor by any other direct initialisation: reached where a bare number is given for a
+    /// width, as in `ggx<float>{0.3f}`, and says what to write.
+    template <std::same_as<T> N>
+    constexpr alpha(const N&) : a(1) {
+        static_assert(!lobe::scalar<N>,
+                      "a bare number is no width: write alpha{0.3f}, or alpha<float>::from_roughness(r)");
+    }
+
     /// alpha = r^2 (Burley 2012, "Physically-Based Shading at Disney", section 5.4), at least `floor`: textures contain
     /// 0.
     static constexpr alpha from_roughness(const T& r, const T& floor = T(0)) { return at_least(r * r, floor); }
