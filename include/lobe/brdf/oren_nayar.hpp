@@ -21,7 +21,7 @@ constexpr T horizontal_dot(const vec3<T>& v, const vec3<T>& l) {
 /// (no interreflections).
 /// sigma: standard deviation of the facets' slope angle, radians, in [0, pi/2]; rho in [0,1].
 /// Albedo at rho = 1: from 0.559 (sigma = pi/2, seen from above) to 1.015 (sigma = 0.2, grazing): it loses energy, or
-/// makes a little.
+/// gains a little.
 /// Rounding: 8 ULP of its largest term, B (|v.x l.x| + |v.y l.y|)/max(cos) among them.
 /// Sampled by `backscatter_sampling`: weight at most 1.06 rho. `oren_nayar{rho, sigma, cosine_sampling{}}`: 0.44
 /// rho/cos(theta_v).
