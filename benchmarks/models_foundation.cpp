@@ -3,6 +3,8 @@
 #include "textbook.hpp"
 #include "truth.hpp"
 
+#include <lobe/energy/dfg_published.hpp>
+
 namespace {
 
 using enum unit_of_error;
@@ -232,6 +234,9 @@ section sine_and_cosine() {
 
 constexpr auto exact_dfg = [](const auto& e) { return two(truth::dfg(e)); };
 
+template <class Fit>
+constexpr auto fitted = [](const auto& e) { return two(Fit{}(e.v().z, e.alpha())); };
+
 section dfg_look_up() {
     rows_of<itself> rows("Split-sum terms: one look-up", {{"scale, bias", absolute, 0, 2}});
     rows.against(
@@ -243,6 +248,13 @@ section dfg_look_up() {
     rows.against(
         "Karis 2014, mobile fit", [](const auto& e) { return two(textbook::karis_mobile(e.v().z, e.a())); }, exact_dfg,
         "model");
+    const auto fit = [&](const char* label, auto terms) { rows.against(label, terms, exact_dfg, "model"); };
+    fit("lobe `dfg_fit_tiny`", fitted<lobe::dfg_fit_tiny>);
+    fit("lobe `dfg_fit_cheap`", fitted<lobe::dfg_fit_cheap>);
+    fit("lobe `dfg_fit_medium`", fitted<lobe::dfg_fit_medium>);
+    fit("lobe `dfg_fit_precise`", fitted<lobe::dfg_fit_precise>);
+    fit("Hirvonen et al. 2019, `dfg_hirvonen`", fitted<lobe::dfg_hirvonen>);
+    fit("MaterialX, `dfg_materialx`", fitted<lobe::dfg_materialx>);
     return rows.made;
 }
 

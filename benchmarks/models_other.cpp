@@ -3,7 +3,10 @@
 
 #include <lobe/core/frame.hpp>
 #include <lobe/energy/fdez_aguera.hpp>
+#include <lobe/energy/kulla_conty.hpp>
 #include <lobe/energy/random_walk.hpp>
+#include <lobe/energy/smith_multiscatter.hpp>
+#include <lobe/energy/turquin.hpp>
 #include <lobe/fresnel/ior.hpp>
 #include <lobe/lights/punctual.hpp>
 #include <lobe/ndf/blinn_phong.hpp>
@@ -146,6 +149,11 @@ result<3, T> fdez_aguera(const element<T>& e, const lobe::dfg_terms<T>& terms) {
     const auto w = lobe::fdez_aguera{}(terms, e.F0());
     return three(w.radiance + w.irradiance);
 }
+template <class Model>
+constexpr auto weights_of = [](const auto& e) {
+    const auto w = Model{}.weights(lobe::schlick{e.F0()}, e.v().z, e.alpha());
+    return three(w.radiance + w.irradiance);
+};
 /// ... and by random walks.
 template <class T>
 result<3, T> mean_of_walks(const element<T>& e, int walks) {
@@ -164,6 +172,14 @@ section multiple_scattering() {
         "`fdez_aguera`, terms from `dfg_table`",
         [](const auto& e) { return fdez_aguera(e, e.built().dfg(e.v().z, e.alpha())); }, "`random_walk`",
         [](const auto& e) { return mean_of_walks(e, walks); });
+    const auto weights = [&](const char* label, auto model) {
+        rows.add(label, model, "`random_walk`", [](const auto& e) { return mean_of_walks(e, walks); });
+    };
+    weights("`turquin`, terms from `dfg_fit_precise`", weights_of<lobe::turquin<lobe::dfg_fit_precise>>);
+    weights("`kulla_conty`, terms from `dfg_fit_precise`", weights_of<lobe::kulla_conty<lobe::dfg_fit_precise>>);
+    weights("`smith_multiscatter`, terms from `dfg_fit_precise`",
+            weights_of<lobe::smith_multiscatter<lobe::dfg_fit_precise>>);
+    weights("`smith_multiscatter`", weights_of<lobe::smith_multiscatter<>>);
     rows.add("`random_walk`, one walk", [](const auto& e) { return mean_of_walks(e, 1); });
     rows.only_timed();
     return rows.made;

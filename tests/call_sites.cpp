@@ -57,7 +57,16 @@ TEST_CASE("call sites 1 to 5 compile as written, in float", "[call_sites]") {
     // t.scale, t.bias: F0*scale + F90*bias
     const lobe::dfg_terms<float> t = table(v.z, a);
     const lobe::dfg_terms<float> x = lobe::dfg_exact<float>(lobe::smith_correlated{}, v.z, a);
-    CHECK(std::abs(t.scale - x.scale) < 3e-3f);
+    CHECK(std::abs(t.scale - x.scale) < 1e-3f);
+    const lobe::dfg_terms<float> ready = lobe::default_dfg{}(v.z, a), fit = lobe::dfg_fit_precise{}(v.z, a);
+    CHECK(std::abs(ready.scale - x.scale) < 1e-3f);
+    CHECK(std::abs(fit.scale - x.scale) < 2e-3f);
+
+    // ... and all bounces
+    const lobe::compensated metal{brdf};
+    CHECK(metal.f_cos(v, l).y > brdf.f_cos(v, l).y);
+    const auto all = lobe::smith_multiscatter{}.weights(lobe::schlick{vec3{0.04f}}, v.z, a, vec3{1.0f});
+    CHECK(lobe::length(all.radiance + all.irradiance - vec3{1.0f}) < 1e-5f);
 
     // 4. multi-scattering image-based light
     const auto w = lobe::fdez_aguera{}(t, f0, albedo);  // w.radiance, w.irradiance

@@ -69,6 +69,7 @@
 #include <lobe/lights/punctual.hpp>
 
 #include <lobe/energy/albedo.hpp>
+#include <lobe/energy/anisotropic_dfg.hpp>
 #include <lobe/energy/compensated.hpp>
 #include <lobe/energy/default_dfg.hpp>
 #include <lobe/energy/dfg.hpp>

@@ -215,21 +215,21 @@ auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, 
                 for (const W& slope : slopes) {
                     const W to = slope / (W(1) + sqrt(W(1) + slope * slope));
                     for (const ring_node& at : from > W(0) ? later : first) {
-                        const W t = to - (to - from) * at.back, r = W(2) * t / ((W(1) - t) * (W(1) + t));
-                        const W d_chi = at.weight * (to - from) / (W(1) + t * t);
-                        const W mz2 = W(1) / (W(1) + d2 * r * r);  // m = (-r dx, -r dy, 1) sqrt(mz2)
-                        const W a = vz - r * (dx * vx + dy * vy);  // v.m / m.z
-                        const W dm = wx * wy * r * (W(1) + r * r) * mz2 * sqrt(mz2) * d_chi * d_phi;
-                        const vec3<T> l(T(-W(2) * a * mz2 * r * dx - vx), T(-W(2) * a * mz2 * r * dy - vy),
-                                        T(W(2) * a * mz2 - vz));
-                        total = total + S(g(l)) * (W(4) * a * sqrt(mz2) * dm);
+                        // c, s: cosine and sine of chi, times 1 + t^2
+                        const W t = to - (to - from) * at.back, c = (W(1) - t) * (W(1) + t), s = W(2) * t;
+                        const W q = W(1) / (c * c + d2 * s * s);          // m = (-s dx, -s dy, c) sqrt(q)
+                        const W a = vz * c - s * (dx * vx + dy * vy);     // v.m / sqrt(q)
+                        const W v_m_dm = a * s * (W(1) + t * t) * q * q;  // (v.m) dm, less factors below
+                        const vec3<T> l(T(-W(2) * a * q * s * dx - vx), T(-W(2) * a * q * s * dy - vy),
+                                        T(W(2) * a * q * c - vz));
+                        total = total + S(g(l)) * (v_m_dm * at.weight * (to - from) * d_phi);
                     }
                     from = to;
                 }
             }
         }
     }
-    return total * W(mirrored ? 2 : 1);
+    return total * (W(mirrored ? 8 : 4) * wx * wy);
 }
 
 }  // namespace detail
