@@ -1,5 +1,5 @@
-// How a microfacet BRDF draws its half vectors: the fourth part of `microfacet`. Two more for GGX are in
-// ggx_samplers.hpp.
+// How a microfacet BRDF draws its half vectors: the fourth part of `microfacet`.
+// Two more for GGX are in ggx_samplers.hpp.
 #pragma once
 
 #include <lobe/ndf/concepts.hpp>
