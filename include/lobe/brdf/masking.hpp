@@ -64,8 +64,8 @@ struct smith_correlated : masking_functions<smith_correlated> {
 ///   G2 = 1/(1 + max(Lambda_v, Lambda_l) + lambda(phi) min(Lambda_v, Lambda_l)),  lambda = 4.41 phi/(4.41 phi + 1).
 /// lambda: van Ginneken, Stavridi, Koenderink 1998, "Diffuse and Specular Reflectance from Rough Surfaces";
 /// used so by Heitz 2014. phi = 0 gives min(G1(v), G1(l)): what v sees is lit. phi = pi comes near smith_correlated,
-/// from above, without reaching it: lambda(pi) = 0.9327. At v or l = n the azimuth does not matter,
-/// since its Lambda is 0. den = max(sv cos_l, sl cos_v) + lambda min((sv - cos_v) cos_l, (sl - cos_l) cos_v)
+/// from above, without reaching it: lambda(pi) = 0.9327. At v or l = n the azimuth does not matter: Lambda is 0 there.
+///   den = max(sv cos_l, sl cos_v) + lambda min((sv - cos_v) cos_l, (sl - cos_l) cos_v)
 /// v, l unit, above the horizon. Calls `atan2`, so a loop vectorises only where there is a vector atan2.
 /// Error: 6 ULP.
 struct smith_direction_correlated : masking_functions<smith_direction_correlated> {

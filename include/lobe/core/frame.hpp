@@ -72,7 +72,7 @@ constexpr T bump_shadowing(const vec3<T>& g, const vec3<T>& l) {
     const vec3<T> across = cross(g, l);
     const T a2 = smaller((g.x * g.x + g.y * g.y) / (T(8) * g.z * g.z), T(1)), c = larger(dot(g, l), T(0));
     const auto lit = c > T(0);
-    return select(lit, T(2) * c / select(lit, c + sqrt(c * c + a2 * dot(across, across)), T(1)), T(0));
+    return quotient(lit, T(2) * c, c + sqrt(c * c + a2 * dot(across, across)));
 }
 
 }  // namespace lobe

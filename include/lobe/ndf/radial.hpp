@@ -43,8 +43,8 @@ constexpr T slope_density(const Shape& shape, const T& tau) {
     return shape.D(tau, T(1));
 }
 
-/// int g(R) 2 pi f(a^2 + R^2) R dR over R > from: an average over the facets whose slope r is more than `a`, R^2 = r^2
-/// - a^2.
+/// int g(R) 2 pi f(a^2 + R^2) R dR over R > from: an average over the facets whose slope r is more than `a`,
+/// R^2 = r^2 - a^2.
 template <one_lane T, class Shape, class G>
 constexpr auto average_over_steep(const Shape& shape, const T& a, const T& from, const G& g) {
     using std::sqrt;
