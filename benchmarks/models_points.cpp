@@ -66,8 +66,10 @@ std::vector<std::vector<std::string>> errors() {
                                 lobe::detail::fraction<double>(static_cast<std::uint32_t>(bits >> 32))};
         };
     });
-    add("`hammersley`, shifted", shifted([](std::uint32_t i, std::uint32_t n) { return lobe::hammersley<double>(i, n); }));
-    add("`fibonacci`, shifted", shifted([](std::uint32_t i, std::uint32_t n) { return lobe::fibonacci<double>(i, n); }));
+    add("`hammersley`, shifted",
+        shifted([](std::uint32_t i, std::uint32_t n) { return lobe::hammersley<double>(i, n); }));
+    add("`fibonacci`, shifted",
+        shifted([](std::uint32_t i, std::uint32_t n) { return lobe::fibonacci<double>(i, n); }));
     add("`r2`, shifted", shifted([](std::uint32_t i, std::uint32_t) { return lobe::r2<double>(i); }));
     add("`sobol`, shifted", shifted([](std::uint32_t i, std::uint32_t) { return lobe::sobol<double>(i); }));
     add("`owen_sobol`", [](std::uint32_t round, std::uint32_t) {
@@ -80,15 +82,14 @@ std::vector<std::vector<std::string>> errors() {
 
 std::vector<section> point_set_models() {
     rows_of<itself> rows("Point sets", {{"coordinate", unit_of_error::absolute, 0, 2}});
-    rows.add("`hammersley`", []<class T>(const element<T>& e) {
-        return two(lobe::hammersley<T>(e.index(), e.in.points));
-    });
-    rows.add("`fibonacci`", []<class T>(const element<T>& e) {
-        return two(lobe::fibonacci<T>(e.index(), e.in.points));
-    });
+    rows.add("`hammersley`",
+             []<class T>(const element<T>& e) { return two(lobe::hammersley<T>(e.index(), e.in.points)); });
+    rows.add("`fibonacci`",
+             []<class T>(const element<T>& e) { return two(lobe::fibonacci<T>(e.index(), e.in.points)); });
     rows.add("`r2`", []<class T>(const element<T>& e) { return two(lobe::r2<T>(e.index())); });
     rows.add("`sobol`", []<class T>(const element<T>& e) { return two(lobe::sobol<T>(e.index())); });
-    rows.add("`owen_sobol`", []<class T>(const element<T>& e) { return two(lobe::owen_sobol<T>(e.index(), e.in.points)); });
+    rows.add("`owen_sobol`",
+             []<class T>(const element<T>& e) { return two(lobe::owen_sobol<T>(e.index(), e.in.points)); });
     rows.add("`scrambled_sobol`", []<class T>(const element<T>& e) {
         return two(lobe::scrambled_sobol<T>(e.in.points, 2, e.in.points)(1, e.index()));
     });

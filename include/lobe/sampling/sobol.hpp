@@ -65,12 +65,12 @@ public:
         : sample_counts{points_a_round, number_of_rounds}, seed(random_seed) {}
 
     // (Inlined by force: clang would call it, and a loop with a call does not vectorise.)
-    [[gnu::always_inline]] constexpr vec2<T> operator()(std::uint32_t round, std::uint32_t i, std::uint32_t k = 0) const {
+    [[gnu::always_inline]] constexpr vec2<T> operator()(std::uint32_t round, std::uint32_t i,
+                                                        std::uint32_t k = 0) const {
         const std::uint64_t key = detail::seed_of(seed, round, k);
         const auto order = static_cast<std::uint32_t>(key >> 32);
         // permutes the first 2^m indices among themselves, but for bits above m that all of them share
-        const std::uint32_t j =
-            detail::reverse_bits(detail::scrambled_from_below(detail::reverse_bits(i), order));
+        const std::uint32_t j = detail::reverse_bits(detail::scrambled_from_below(detail::reverse_bits(i), order));
         return owen_sobol<T>(j, key);
     }
 
