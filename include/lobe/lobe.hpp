@@ -18,8 +18,10 @@
 #include <lobe/width/antialiasing.hpp>
 #include <lobe/width/exponents.hpp>
 
+#include <lobe/sampling/lattices.hpp>
 #include <lobe/sampling/points.hpp>
 #include <lobe/sampling/sample_mean.hpp>
+#include <lobe/sampling/sobol.hpp>
 #include <lobe/sampling/warp.hpp>
 
 #include <lobe/ndf/abc.hpp>
