@@ -2,9 +2,9 @@
 #include "catch.hpp"
 #include "support.hpp"
 
+#include <lobe/brdf/lambert.hpp>
 #include <lobe/ibl/environment_sampler.hpp>
 #include <lobe/ibl/reflected_radiance.hpp>
-#include <lobe/brdf/lambert.hpp>
 
 using lobe::cube, lobe::latlong, lobe::vec2, lobe::vec3;
 
@@ -58,9 +58,9 @@ TEST_CASE("the density of an environment sampler integrates to 1", "[ibl]") {
             for (int face = 0; face < 6; ++face)
                 for (int row = 0; row < n; ++row)
                     for (int column = 0; column < n; ++column)
-                        total += lights.pdf(lobe::cube_direction(
-                                     face, vec2<double>{(column + 0.5) / n, (row + 0.5) / n})) *
-                                 lobe::cube_texel_solid_angle<double>(column, row, n);
+                        total +=
+                            lights.pdf(lobe::cube_direction(face, vec2<double>{(column + 0.5) / n, (row + 0.5) / n})) *
+                            lobe::cube_texel_solid_angle<double>(column, row, n);
         }
         INFO(name);
         CHECK(std::abs(total - 1) < 1e-6);
@@ -92,10 +92,10 @@ TEST_CASE("samples of an environment follow its density", "[ibl]") {
         const int n = 40;
         for (int row = 0; row < rows * n; ++row)
             for (int column = 0; column < columns * n; ++column) {
-                const auto w = lobe::latlong_direction(
-                    vec2<double>{(column + 0.5) / (columns * n), (row + 0.5) / (rows * n)});
-                expected[bin(w)] += samples * lights.pdf(w) *
-                                    lobe::latlong_texel_solid_angle<double>(row, columns * n, rows * n);
+                const auto w =
+                    lobe::latlong_direction(vec2<double>{(column + 0.5) / (columns * n), (row + 0.5) / (rows * n)});
+                expected[bin(w)] +=
+                    samples * lights.pdf(w) * lobe::latlong_texel_solid_angle<double>(row, columns * n, rows * n);
             }
         double statistic = 0;
         int freedom = -1;
@@ -133,14 +133,12 @@ TEST_CASE("light sampling of an environment is unbiased", "[ibl]") {
         const lobe::in_tangent_space sampler{at, lights};
         const lobe::lambert white{vec3<double>(1)};
         const vec3<double> v{0, 0, 1};
-        const auto by_lights = lobe::reflected_radiance(white, v, environment,
-                                                        lobe::shifted_hammersley<double>{1024, 32, 1},
-                                                        lobe::by_lights{sampler});
-        const auto by_brdf = lobe::reflected_radiance(white, v, environment,
-                                                      lobe::shifted_hammersley<double>{4096, 32, 2});
-        const auto by_both = lobe::reflected_radiance(white, v, environment,
-                                                      lobe::shifted_hammersley<double>{1024, 32, 3},
-                                                      lobe::by_both{sampler});
+        const auto by_lights = lobe::reflected_radiance(
+            white, v, environment, lobe::shifted_hammersley<double>{1024, 32, 1}, lobe::by_lights{sampler});
+        const auto by_brdf =
+            lobe::reflected_radiance(white, v, environment, lobe::shifted_hammersley<double>{4096, 32, 2});
+        const auto by_both = lobe::reflected_radiance(
+            white, v, environment, lobe::shifted_hammersley<double>{1024, 32, 3}, lobe::by_both{sampler});
         INFO(name << ": " << by_lights.value.x << " " << by_brdf.value.x << " " << by_both.value.x);
         CHECK(std::abs(by_lights.value.x - by_brdf.value.x) <
               4 * std::hypot(by_lights.standard_error.x, by_brdf.standard_error.x) + 1e-12);

@@ -35,16 +35,21 @@ TEST_CASE("harmonics of degree 2 have the published constants", "[ibl]") {
     // Ramamoorthi & Hanrahan 2001, eq. 3
     const vec3<double> w = lobe::normalize(vec3<double>{0.3, -0.5, 0.8});
     const double x = w.x, y = w.y, z = w.z;
-    const double exact[9] = {0.282095,           0.488603 * y,     0.488603 * z,
-                             0.488603 * x,       1.092548 * x * y, 1.092548 * y * z,
-                             0.315392 * (3 * z * z - 1), 1.092548 * x * z, 0.546274 * (x * x - y * y)};
+    const double exact[9] = {0.282095,
+                             0.488603 * y,
+                             0.488603 * z,
+                             0.488603 * x,
+                             1.092548 * x * y,
+                             1.092548 * y * z,
+                             0.315392 * (3 * z * z - 1),
+                             1.092548 * x * z,
+                             0.546274 * (x * x - y * y)};
     std::size_t i = 0;
     lobe::detail::for_each_harmonic(w, 2, [&](int, int, double Y) { CHECK(std::abs(Y - exact[i++]) < 1e-6); });
     // eq. 9: pi, 2 pi/3, pi/4, 0, -pi/24, 0, pi/64
     const double pi = lobe::pi<double>();
     const double cosine[7] = {pi, 2 * pi / 3, pi / 4, 0, -pi / 24, 0, pi / 64};
-    for (int l = 0; l < 7; ++l)
-        CHECK(std::abs(lobe::detail::cosine_harmonic<double>(l) - cosine[l]) < 1e-15);
+    for (int l = 0; l < 7; ++l) CHECK(std::abs(lobe::detail::cosine_harmonic<double>(l) - cosine[l]) < 1e-15);
 }
 
 namespace {

@@ -111,30 +111,36 @@ private:
     std::vector<vec3<T>> padded;
 };
 
-/// A cube of what an environment shows: each texel the mean of `per_axis`^2 look-ups, weighted with their solid angles.
+/// A texel of a cube of what an environment shows: the mean of `per_axis`^2 look-ups, weighted with their solid angles.
 /// `environment`: any callable of a unit direction.
 template <scalar T, class Environment>
-cube<T> make_cube(const Environment& environment, int size, int per_axis = 1) {
+vec3<T> cube_texel_mean(const Environment& environment, int size, int face, int column, int row, int per_axis) {
     using W = detail::wide_t<T>;
+    using std::sqrt;
+    vec3<W> total(W(0));
+    W weights(0);
+    for (int j = 0; j < per_axis; ++j)
+        for (int i = 0; i < per_axis; ++i) {
+            const auto along = [&](int texel, int part) {
+                return (T(texel) + (T(part) + T(0.5f)) / T(per_axis)) / T(size);
+            };
+            const vec3<T> p = cube_point(face, vec2<T>{along(column, i), along(row, j)});
+            const W d2 = W(dot(p, p)), weight = W(1) / (d2 * sqrt(d2));
+            total += vec3<W>(vec3<T>(environment(normalize(p)))) * weight;
+            weights += weight;
+        }
+    return vec3<T>(total / weights);
+}
+
+/// All of its texels.
+template <scalar T, class Environment>
+cube<T> make_cube(const Environment& environment, int size, int per_axis = 1) {
     assert(size > 0 && per_axis > 0 && "make_cube: size and look-ups must be above 0");
     std::vector<vec3<T>> pixels;
     for (int face = 0; face < 6; ++face)
         for (int row = 0; row < size; ++row)
-            for (int column = 0; column < size; ++column) {
-                vec3<W> total(W(0));
-                W weights(0);
-                for (int j = 0; j < per_axis; ++j)
-                    for (int i = 0; i < per_axis; ++i) {
-                        const auto along = [&](int texel, int part) {
-                            return (T(texel) + (T(part) + T(0.5f)) / T(per_axis)) / T(size);
-                        };
-                        const vec3<T> p = cube_point(face, vec2<T>{along(column, i), along(row, j)});
-                        const W d2 = W(dot(p, p)), weight = W(1) / (d2 * std::sqrt(d2));
-                        total += vec3<W>(vec3<T>(environment(normalize(p)))) * weight;
-                        weights += weight;
-                    }
-                pixels.push_back(vec3<T>(total / weights));
-            }
+            for (int column = 0; column < size; ++column)
+                pixels.push_back(cube_texel_mean<T>(environment, size, face, column, row, per_axis));
     return cube<T>(size, pixels);
 }
 
@@ -192,9 +198,10 @@ private:
                 const W tx = x - W(i), ty = y - W(j);
                 const W hat = omega * (right ? tx : W(1) - tx) * (down ? ty : W(1) - ty);
                 cube<T>::for_each_source(n, face, i - 1 + right, j - 1 + down, [&](int f, int c, int r, const T& part) {
-                    const auto at = (static_cast<std::size_t>(f) * static_cast<std::size_t>(n) +
-                                     static_cast<std::size_t>(r)) * static_cast<std::size_t>(n) +
-                                    static_cast<std::size_t>(c);
+                    const auto at =
+                        (static_cast<std::size_t>(f) * static_cast<std::size_t>(n) + static_cast<std::size_t>(r)) *
+                            static_cast<std::size_t>(n) +
+                        static_cast<std::size_t>(c);
                     totals[at] += vec3<W>(radiance) * (hat * W(part));
                     weights[at] += hat * W(part);
                 });

@@ -137,10 +137,11 @@ private:
             const double omega = latlong_texel_solid_angle<double>(row, map.width, map.height);
             for (int column = 0; column < map.width; ++column)
                 result.push_back(omega * detail::brightness_around([&](int i, int j) {
-                    // over the poles a look-up reads the whole row next to it: its own texel stands for it
-                    const int r = (std::min)((std::max)(row + j, 0), map.height - 1);
-                    return map.at((column + i + map.width) % map.width, r);
-                }));
+                                     // over the poles a look-up reads the whole row next to it: its own texel stands
+                                     // for it
+                                     const int r = (std::min)((std::max)(row + j, 0), map.height - 1);
+                                     return map.at((column + i + map.width) % map.width, r);
+                                 }));
         }
         // where the row at a pole has light, all of its texels see its mean
         for (const int row : {0, map.height - 1}) {

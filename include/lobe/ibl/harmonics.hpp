@@ -157,8 +157,8 @@ private:
         T least = (*this)({T(0), T(0), T(1)}).x;
         for (int row = 0; row < 32; ++row)
             for (int column = 0; column < 128; ++column) {
-                const vec3<T> value = (*this)(
-                    latlong_direction(vec2<T>{(T(column) + T(0.5f)) / T(128), (T(row) + T(0.5f)) / T(32)}));
+                const vec3<T> value =
+                    (*this)(latlong_direction(vec2<T>{(T(column) + T(0.5f)) / T(128), (T(row) + T(0.5f)) / T(32)}));
                 least = smaller(least, smaller(value.x, smaller(value.y, value.z)));
             }
         return least;
