@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -85,7 +86,8 @@ inline std::vector<std::uint16_t> rg16f(const std::vector<vec2<float>>& texels) 
 
 /// Texels as RG16 unorm, where x is read as bits/65535, rounded to nearest: to 7.7e-6.
 inline std::vector<std::uint16_t> rg16_unorm(const std::vector<vec2<float>>& texels) {
-    return detail::in_16_bits(texels, [](float x) { return static_cast<std::uint16_t>(double(x) * 65535 + 0.5); });
+    return detail::in_16_bits(texels,
+                              [](float x) { return static_cast<std::uint16_t>(std::lround(double(x) * 65535)); });
 }
 
 }  // namespace lobe
