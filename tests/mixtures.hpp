@@ -134,7 +134,6 @@ struct of_three : selection_of<T, S> {
     auto sample(const vec3<T>& v, const vec3<T>& u) const { return this->draw(v, u.x, u.y, u.z); }
 };
 
-
 /// Numbers of one set of parameters.
 template <class T>
 class parameters {
@@ -241,7 +240,8 @@ struct azimuth_after_three : azimuth_after_selection<T> {
     auto sample(const vec3<T>& v, const vec3<T>& u) const { return this->draw(v, u.z, u.x, u.y); }
 };
 
-/// Lambert whose light, or whose samples, have an edge anywhere in the square of its numbers: a line, a circle, a strip.
+/// Lambert whose light, or whose samples, have an edge anywhere in the square of its numbers: a line, a circle, a
+/// strip.
 template <class T>
 struct with_an_edge {
     using scalar = T;

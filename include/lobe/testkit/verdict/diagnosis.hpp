@@ -97,8 +97,8 @@ inline std::string wrong_factor(std::vector<ratio_at> ratios, double share_that_
            " of the places looked at: a constant of one part, or within one range of directions";
 }
 
-/// An epsilon that is added to something, in a denominator or in a factor, shows: what it takes to make the ratio is the
-/// same epsilon wherever one looks. Empty where there is none.
+/// An epsilon that is added to something, in a denominator or in a factor, shows: it is the same at all places. Empty
+/// where there is none.
 inline std::string added_epsilon(const std::vector<ratio_at>& ratios) {
     using R = const ratio_at&;
     // (x + epsilon)/x, or x/(x - epsilon) for a negative one
