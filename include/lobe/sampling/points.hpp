@@ -9,11 +9,11 @@ namespace lobe {
 
 namespace detail {
 
-/// bits / 2^32, kept below 1: float has 24 bits, and rounding would turn the last 128 codes into 1.0f.
+/// bits / 2^32, kept below 1: in float the last 128 codes would round to 1.
 template <scalar T>
 constexpr T fraction(std::uint32_t bits) {
     if constexpr (std::same_as<T, float>)
-        return static_cast<float>(bits >> 8) * 0x1p-24f;
+        return static_cast<float>(static_cast<std::int32_t>(bits >> 8)) * 0x1p-24f;  // signed: what SIMD converts
     else
         return T(bits) / T(4294967296.0);
 }
@@ -24,6 +24,12 @@ constexpr std::uint32_t reverse_bits(std::uint32_t i) {
     i = ((i & 0x0f0f0f0fu) << 4) | ((i & 0xf0f0f0f0u) >> 4);
     i = ((i & 0x33333333u) << 2) | ((i & 0xccccccccu) >> 2);
     return ((i & 0x55555555u) << 1) | ((i & 0xaaaaaaaau) >> 1);
+}
+
+/// (i + 1/2) step/2^64 without its whole part: in integers, so that large i lose nothing.
+template <scalar T>
+constexpr T multiple_of(std::uint64_t step, std::uint32_t i) {
+    return fraction<T>(static_cast<std::uint32_t>((i * step + step / 2) >> 32));
 }
 
 }  // namespace detail
@@ -42,7 +48,7 @@ template <scalar T = float>
 constexpr vec2<T> hammersley(std::uint32_t i, std::uint32_t n) {
     // 2^64/n: the same for all points, so compilers hoist the division
     const std::uint64_t step = ~std::uint64_t{0} / n;
-    return {detail::fraction<T>(static_cast<std::uint32_t>((i * step + step / 2) >> 32)),
+    return {detail::multiple_of<T>(step, i),
             detail::fraction<T>(detail::reverse_bits(i) + static_cast<std::uint32_t>(step >> 33))};
 }
 

@@ -19,6 +19,11 @@ constexpr std::uint64_t mixed_bits(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
+/// A seed for the draws k of a round, well mixed.
+constexpr std::uint64_t seed_of(std::uint64_t seed, std::uint32_t round, std::uint32_t k) {
+    return mixed_bits(mixed_bits(seed) + (std::uint64_t{k} << 32) + round);
+}
+
 }  // namespace detail
 
 /// How many samples: `count` in each of `rounds`, which are independent of each other.
@@ -38,7 +43,7 @@ public:
         : sample_counts{points_a_round, number_of_rounds}, seed(random_seed) {}
 
     constexpr vec2<T> operator()(std::uint32_t round, std::uint32_t i, std::uint32_t k = 0) const {
-        const std::uint64_t bits = detail::mixed_bits(detail::mixed_bits(seed) + (std::uint64_t{k} << 32) + round);
+        const std::uint64_t bits = detail::seed_of(seed, round, k);
         const vec2<T> u = hammersley<T>(i, count);
         return {shifted(u.x, static_cast<std::uint32_t>(bits >> 32)), shifted(u.y, static_cast<std::uint32_t>(bits))};
     }
@@ -59,10 +64,10 @@ struct sampled {
     constexpr operator const S&() const { return value; }
 };
 
-/// The mean of g(round, i) over all samples. Its standard error is sqrt(sum (x - mean)^2/(rounds (rounds - 1))), x the
-/// mean of a round: right for any points whose rounds are independent, where the spread of single samples would
-/// overstate the error of points that are spread evenly. It is itself known to 1/sqrt(2 rounds - 2) of it: 13 % at 32.
-/// g returns a number or an rgb. At least 2 rounds.
+/// The mean of g(round, i) over all samples. Its standard error is sqrt(sum (x - mean)^2/(rounds (rounds - 1))),
+/// x the mean of a round: right for any points whose rounds are independent,
+/// where the spread of single samples would overstate the error of points that are spread evenly.
+/// It is itself known to 1/sqrt(2 rounds - 2) of it: 13 % at 32. g returns a number or an rgb. At least 2 rounds.
 template <class G>
 constexpr auto sample_mean(const sample_counts& samples, const G& g) {
     using S = std::decay_t<decltype(g(0u, 0u))>;

@@ -79,8 +79,8 @@ private:
         if (lacks_one_over_pi())
             return "the same albedo from everywhere, " + number(times, 3) +
                    ": a missing 1/pi (it is plausible once divided by pi), or an albedo above 1";
-        if (const std::string factor = wrong_factor(wrong, share); !factor.empty() && (!upper_bound || share > 0.9))
-            return factor + (factor.starts_with("the same") ? ", or the same number is added to all values" : "");
+        if (std::string factor = wrong_factor(wrong, share); !factor.empty() && (!upper_bound || share > 0.9))
+            return factor.starts_with("the same") ? factor + ", or the same number is added to all values" : factor;
         std::string why = result.measured < result.expected && !too_small.empty() ? too_small : otherwise;
         if (most_rounding > 0.01)
             why = "rounding moves it by up to " + percent(most_rounding) +
@@ -88,7 +88,7 @@ private:
         const std::string by = ", by up to " + percent(std::abs(times - 1));
         if (share > 0.9 && least_ratio() > 1.5)
             return number(least_ratio(), 3) + " times and more, from everywhere: a missing 1/pi, 1/2 or 1/4, or " + why;
-        if (share > 0.99) return "from everywhere" + by + ": " + why;
+        if (share > 0.99) return count > 1 ? "from everywhere" + by + ": " + why : why;
         if (highest_wrong < lowest_right)
             return "only at grazing, n.v at most " + number(highest_wrong, 2) + by + ": " + why;
         if (lowest_wrong > highest_right)
