@@ -5,12 +5,14 @@
 #include "mixtures.hpp"
 #include "support.hpp"
 
+#include <array>
 #include <clocale>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <locale>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -94,6 +96,20 @@ TEST_CASE("a second opinion is unbiased where the integrand jumps, and says how 
     lobe::testkit::mesh<1> plane([](double x, double y) { return lobe::testkit::mesh<1>::values{x + 2 * y}; }, 2, 2, 1);
     plane.refine(1, 1, 0);
     CHECK(lobe::testkit::detail::second_opinion(plane).all.value[0] == Catch::Approx(1.5).epsilon(1e-12));
+}
+
+TEST_CASE("a lobe of a third number that no line meets is met by the second opinion", "[testkit]") {
+    using V = vec3<double>;
+    const double from = 0.50031, to = 0.50061, value = 700;
+    const auto thin = [&](const V& u) { return u.z > from && u.z < to; };
+    const lobe::testkit::detail::expectation<double> mean(
+        [&](const V& u) { return std::optional<V>(thin(u) ? V(1, 0, 0) : V(0, 0, 1)); }, 3);
+    const auto both = mean.of<1>([&](const V& u) { return std::array<double, 1>{thin(u) ? value : 1}; },
+                                 lobe::testkit::detail::budget_of(lobe::testkit::effort::quick), 1, 1);
+    const double exact = 1 + (value - 1) * (to - from);
+    CHECK(std::abs(both(false).value[0] - exact) > 100 * both(false).error[0]);
+    CHECK(std::abs(both(true).value[0] - exact) < both(true).error[0]);
+    CHECK(both(true).error[0] < 0.3 * exact);
 }
 
 TEST_CASE("numbers have points in any locale, of C or of C++", "[testkit]") {
