@@ -16,6 +16,17 @@ cd "$work"
 { printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n'; printf '\200\200\200\225%.0s' {1..128}; } > bright.hdr
 "$program" bright.hdr --size 16 --samples 64 --out bright > log
 grep -q 'above 65504' log || { echo "WRONG: nothing says what halves cannot hold" >&2; exit 1; }
+# a sun of one texel in a map 128 times as wide as the cube, against exact solid angles
+node -e '
+const width = 2048, height = 1024, pixels = Buffer.alloc(4 * width * height);
+pixels.set([128, 128, 128, 145], 4 * (301 * width + 1403));
+process.stdout.write("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1024 +X 2048\n");
+process.stdout.write(pixels);' > sun.hdr
+"$program" sun.hdr --size 16 --samples 64 --sh-order 0 --out sun > log
+node -e '
+const power = 65536 * 2 * Math.PI / 2048 * (Math.cos(301 * Math.PI / 1024) - Math.cos(302 * Math.PI / 1024));
+const found = JSON.parse(require("fs").readFileSync("sun/harmonics.json")).radiance[0][0] * Math.sqrt(4 * Math.PI);
+if (!(Math.abs(found / power - 1) < 0.01)) { console.error(`WRONG: the energy of a sun, ${found} for ${power}`); process.exit(1); }'
 readable=1
 npm install --silent --no-audit --no-fund --prefix reader ktx-parse@1.1.0 > npm.log 2>&1 || readable=0
 ((readable)) || { cat npm.log; echo "SKIPPED: npm could not install ktx-parse, so no other reader has seen the textures" >&2; }

@@ -315,10 +315,14 @@ int main(int argc, char** argv) try {
         for (vec3& c : map.pixels) c = lobe::dimmed(c, o.exposure_clamp);
         map = {map.width, map.height, std::move(map.pixels)};
     }
+    const lobe::latlong_pyramid<float> halved{std::move(map)};
+
+    // two look-ups for each texel of the map, of a halved one where these would be more than 16 along a texel's edge
+    std::size_t from = 0;
+    while (halved.level(from).width > 32 * o.size) ++from;
+    const int per_axis = std::max(halved.level(from).width / (2 * o.size), 2);
     const auto turn = lobe::rotation<float>::about_up(static_cast<float>(o.rotate / 360));
-    const lobe::rotated turned{map, turn};
-    // as many look-ups a texel as see each texel of the map
-    const int per_axis = std::clamp(map.width / (2 * o.size), 2, 16);
+    const lobe::rotated turned{halved.level(from), turn};
     const lobe::cube_pyramid<float> environment{
         filled_cube("cube, " + std::to_string(o.size), o.size, [&](int face, int column, int row) {
             return lobe::cube_texel_mean<float>(turned, o.size, face, column, row, per_axis);
@@ -335,7 +339,6 @@ int main(int argc, char** argv) try {
     for (std::size_t i = 0; i < chain.size(); ++i) cubes.push_back(chain.level(i));
 
     const lobe::harmonics<float> radiance(environment.level(0), o.harmonics_degree);
-    const lobe::latlong_pyramid<float> halved{std::move(map)};
     const auto& coarse = halved.level(halvings(halved, diffuse_texel));
     const auto irradiance = filled_cube("irradiance", o.irradiance_size, [&](int face, int column, int row) {
         const vec3 n = texel_direction(o.irradiance_size, face, column, row);
