@@ -47,7 +47,7 @@ $call inline vec3 operator-(vec3 a) { return vec3(-a.x, -a.y, -a.z); }
 
 inline language cpp() {
     return {.name = "C++",
-            .extension = "cpp.hpp",
+            .extension = "hh",
             .number = "float",
             .vector_2 = "vec2",
             .vector_3 = "vec3",
@@ -73,7 +73,7 @@ inline language cpp() {
 inline language cuda() {
     language c = cpp();
     c.name = "CUDA";
-    c.extension = "cu.hpp";
+    c.extension = "cuh";
     c.function = "__host__ __device__ inline $type $name($parameters) {\n";
     c.preamble = "#pragma once\n\n#include <cmath>\n" + detail::cpp_vectors("__host__ __device__");
     return c;

@@ -3,8 +3,6 @@
 
 #include <lobe/shader/types.hpp>
 
-#include <initializer_list>
-
 namespace lobe::shader {
 
 struct parameter {
@@ -41,13 +39,13 @@ template <class R, class... A>
 class recorded<R, std::tuple<A...>> {
 public:
     template <class F>
-    recorded(const std::string& name, std::initializer_list<const char*> names, const F& f)
+    recorded(const std::string& name, const std::vector<const char*>& names, const F& f)
         : content(std::make_shared<body>()) {
         if (names.size() != sizeof...(A)) throw std::invalid_argument(name + ": a name for each parameter");
         content->name = name;
         content->result = detail::layout<R>::describe();
         const type types[] = {detail::layout<A>::describe()...};
-        for (std::size_t i = 0; i < sizeof...(A); ++i) content->parameters.push_back({names.begin()[i], types[i]});
+        for (std::size_t i = 0; i < sizeof...(A); ++i) content->parameters.push_back({names[i], types[i]});
         std::uint32_t component = 0;
         const auto next = [&] { return content->nodes.input(component++); };
         const std::tuple<A...> arguments{detail::layout<A>::build(next)...};  // braces: from left to right
@@ -85,7 +83,7 @@ private:
 /// `function("gold", {"v", "l", "roughness"}, [](vec3 v, vec3 l, real roughness) { ... })`, with `real` and `vec3`
 /// those of this namespace. Values that the lambda captures are constants of the shader.
 template <class F>
-auto function(const std::string& name, std::initializer_list<const char*> parameters, const F& f) {
+auto function(const std::string& name, const std::vector<const char*>& parameters, const F& f) {
     using s = detail::signature<F>;
     return recorded<typename s::result, typename s::arguments>(name, parameters, f);
 }
