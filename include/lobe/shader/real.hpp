@@ -27,6 +27,10 @@ public:
     constexpr explicit real(const node* recorded)
         : at(recorded->what == op::number ? nullptr : recorded), value(at ? 0.0f : value_of(recorded)) {}
 
+    // clang-format off
+    explicit operator int() const = delete;  // "scalar types only": an index cannot be recorded, take a fit or a texture
+    // clang-format on
+
     constexpr bool constant() const { return !at; }
     constexpr float number() const { return value; }
     constexpr const node* recorded() const { return at; }
