@@ -62,8 +62,8 @@ struct numbers {
 };
 
 /// ... of lobe's types or of the printed ones.
-template <class R>
-void collect(const R& r, numbers& to) {
+template <class R, class Numbers>
+void collect(const R& r, Numbers& to) {
     if constexpr (requires {
                       r.pdf;
                       r.l;

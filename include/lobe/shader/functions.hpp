@@ -27,6 +27,17 @@ inline auto expm1_function() {
     });
 }
 
+/// -m/(2 + m), m = exp(-2 |x|) - 1, near 0 by the series of m: GPUs subtract exponentials. Error: 6 ULP.
+inline auto tanh_function() {
+    return function("tanh_", {"x"}, [](real x) {
+        const real y = real(-2) * abs(x);
+        real series(1);
+        for (int k = 8; k > 1; --k) series = real(1) + y * (series * real(1.0 / k));
+        const real m = select(y > real(-0.5), y * series, exp(y) - real(1)), positive = -m / (real(2) + m);
+        return select(x < real(0), -positive, positive);
+    });
+}
+
 /// exp(-z^2) t P(t), z = |x|, t = 2/(2 + z); 2 less that for x < 0. P: Chebyshev interpolation for z to 10.2, 5.3e-8.
 /// Error: relative 2e-7 (1 + z^2).
 inline auto erfc_function() {

@@ -457,11 +457,12 @@ private:
     static std::shared_ptr<const body> replacement(op what) {
         if (what == op::log1p) return detail::log1p_function().about("ln(1 + x)").recording();
         if (what == op::expm1) return detail::expm1_function().about("exp(x) - 1").recording();
+        if (what == op::tanh) return detail::tanh_function().about("tanh(x), right near 0 as well").recording();
         return detail::erfc_function().about("The complementary error function.").recording();
     }
 
     bool uses(op what) const {
-        return std::any_of(bodies.begin(), bodies.end(), [&](const auto& b) { return b->nodes.has(what); });
+        return std::any_of(bodies.begin(), bodies.end(), [&](const auto& b) { return detail::vectors(*b).need(what); });
     }
 
     std::vector<std::shared_ptr<const structure>> structures() const {

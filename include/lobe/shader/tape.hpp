@@ -106,11 +106,6 @@ public:
     }
 
     const std::deque<call_site>& calls() const { return sites; }
-    bool has(op what) const {
-        for (const node& n : nodes)
-            if (n.what == what) return true;
-        return false;
-    }
 
     /// The author's name for what a node computes.
     void name(const node* n, const std::string& text) { names.try_emplace(n, text); }

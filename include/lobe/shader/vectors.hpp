@@ -46,6 +46,11 @@ public:
         for (std::size_t i = 0; i < groups.size(); ++i) grow(i);
     }
 
+    /// Is any of what is needed this operation?
+    bool need(op what) const {
+        return std::any_of(reached.begin(), reached.end(), [&](const node* n) { return n->what == what; });
+    }
+
     /// The vector that a node is a component of, and which.
     std::optional<std::pair<std::size_t, int>> vector_of(const node* n) const {
         const auto at = places.find(n);
