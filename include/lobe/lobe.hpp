@@ -8,6 +8,7 @@
 #include <lobe/core/spectrum.hpp>
 #include <lobe/core/vector.hpp>
 
+#include <lobe/numeric/beta_ratio.hpp>
 #include <lobe/numeric/gauss_legendre.hpp>
 #include <lobe/numeric/integrals.hpp>
 #include <lobe/numeric/precision.hpp>
@@ -67,6 +68,11 @@
 #include <lobe/brdf/schlick_ggx.hpp>
 #include <lobe/brdf/sum.hpp>
 #include <lobe/brdf/v_cavity.hpp>
+
+#include <lobe/bsdf/concepts.hpp>
+#include <lobe/bsdf/masking.hpp>
+#include <lobe/bsdf/refraction.hpp>
+#include <lobe/bsdf/rough_dielectric.hpp>
 
 #include <lobe/lights/punctual.hpp>
 
