@@ -73,6 +73,9 @@
 #include <lobe/bsdf/masking.hpp>
 #include <lobe/bsdf/refraction.hpp>
 #include <lobe/bsdf/rough_dielectric.hpp>
+#include <lobe/bsdf/smooth_dielectric.hpp>
+#include <lobe/bsdf/thin_dielectric.hpp>
+#include <lobe/bsdf/tinted.hpp>
 
 #include <lobe/lights/punctual.hpp>
 

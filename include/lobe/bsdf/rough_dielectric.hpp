@@ -71,8 +71,8 @@ public:
     }
 
     /// u in [0,1)^3: u.x and u.y draw a visible normal m, which reflects if u.z < F(v.m), else refracts.
-    /// Weight: G2/G1(v), at most 1 (radiance: times (eta_v/eta_l)^2 where it refracts). Fails where the facet sends v to
-    /// the wrong side.
+    /// Weight: G2/G1(v), at most 1; of refraction for radiance times (eta_v/eta_l)^2.
+    /// Fails where the facet sends v to the wrong side.
     [[gnu::always_inline]] constexpr direction_sample<T, T>
     sample(const vec3<T>& v, const vec3<T>& u) const requires visibly_samplable_distribution<N> {
         const auto from_below = v.z < T(0);
