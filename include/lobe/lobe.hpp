@@ -89,11 +89,14 @@
 #include <lobe/energy/dfg_published.hpp>
 #include <lobe/energy/dfg_table.hpp>
 #include <lobe/energy/fdez_aguera.hpp>
+#include <lobe/energy/interface_albedo.hpp>
+#include <lobe/energy/interface_walk.hpp>
 #include <lobe/energy/kulla_conty.hpp>
 #include <lobe/energy/metallic_roughness.hpp>
 #include <lobe/energy/multiple_scattering.hpp>
 #include <lobe/energy/quadrature.hpp>
 #include <lobe/energy/random_walk.hpp>
+#include <lobe/energy/refraction_quadrature.hpp>
 #include <lobe/energy/smith_multiscatter.hpp>
 #include <lobe/energy/turquin.hpp>
 

@@ -31,8 +31,8 @@ concept transport = std::same_as<X, radiance_transport> || std::same_as<X, impor
 /// A BSDF: v and l anywhere on the sphere, `f_cos(v, l)` is f |cos(theta_l)|, and `transmits` says so.
 /// Samples take three numbers, u.z choosing between reflection and refraction.
 template <class B>
-concept bsdf = scalar<typename B::scalar> && bool(B::transmits) &&
-               requires(const B b, const vec3<typename B::scalar> w) {
+concept bsdf = scalar<typename B::scalar> && detail::transmitting<B>() &&
+    requires(const B b, const vec3<typename B::scalar> w) {
     typename B::spectrum;
     { b.f_cos(w, w) } -> std::same_as<typename B::spectrum>;
     { b.pdf(w, w) } -> std::same_as<typename B::scalar>;

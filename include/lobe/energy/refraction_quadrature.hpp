@@ -19,9 +19,9 @@ struct crowded_twice {
     }
 };
 
-/// Directions of slopes at which what refracts bends, met from the denser side: where a ray touches the circle of total
-/// reflection v.m = c, where that goes to infinity, where a ray touches the circle of l on the horizon, and where the two
-/// circles meet.
+/// Directions of slopes at which what refracts bends, met from the denser side:
+/// where a ray touches the circle of total reflection v.m = c, where that goes to infinity, where a ray touches the
+/// circle of l on the horizon, and where the two circles meet.
 template <class W>
 std::vector<azimuth_mark<W>> refraction_marks(const W& n, const W& critical, const vec3<W>& v) {
     using std::sqrt;
@@ -39,9 +39,9 @@ std::vector<azimuth_mark<W>> refraction_marks(const W& n, const W& critical, con
     return marks;
 }
 
-/// int g(l) dl over the other side, at one order, v above the surface: l = -(v + K m)/n, dl = K^2/(n g) dm, and m runs
-/// over slopes r (wx cos phi, wy sin phi) with the variables of `hemisphere_integral_at`, along each ray out to v.m = 0:
-///   r_max = v.z/(d.(v.x, v.y)), d = (wx cos phi, wy sin phi), or infinity.
+/// int g(l) dl over the other side, at one order, v above the surface: l = -(v + K m)/n, dl = K^2/(n g) dm.
+/// m runs over slopes r (wx cos phi, wy sin phi), with the variables of `hemisphere_integral_at`, along each ray out to
+/// v.m = 0:  r_max = v.z/(d.(v.x, v.y)), d = (wx cos phi, wy sin phi), or infinity.
 /// From the denser side a ray is cut where all is reflected, v.m = sqrt(1 - n^2), and where l is on the horizon:
 ///   v.z^2 |d|^2 r^2 + 2 v.z d.(v.x, v.y) r + v.x^2 + v.y^2 - n^2 = 0.
 template <class T, class G>
