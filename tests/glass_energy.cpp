@@ -165,3 +165,37 @@ TEST_CASE("the walk's first facet is the interface, of any distribution, and its
         }
     }
 }
+
+TEST_CASE("the walk's first facet against the quadrature, over the whole range of glasses", "[glass]") {
+    constexpr int n = 4000;
+    double worst = 0, squares = 0;
+    int compared = 0;
+    for (const double eta : {1.1, 1.33, 1.5, 2.4})
+        for (const double a : {0.01, 0.1, 0.5, 1.0}) {
+            const rough_dielectric glass{ggx{alpha{a}}, smith_joint_exact{}, eta, importance_transport{}};
+            const lobe::interface_walk walk{ggx{alpha{a}}, eta};
+            random_numbers random(static_cast<std::uint64_t>(compared + 1));
+            for (const double mu : {1.0, 0.8, 0.5, 0.3, 0.1, 0.05, 0.02})
+                for (const double at : {mu, -mu}) {
+                    const auto exact = directional_albedo(glass, at, {.order = 24});
+                    double count[2] = {0, 0};
+                    for (int i = 0; i < n; ++i) {
+                        const auto p = walk.sample(view(at), random);
+                        if (p.order == 1) count[(p.l.z > 0) == (at > 0) ? 0 : 1] += 1;
+                    }
+                    const double shares[2] = {exact.reflected, exact.transmitted};
+                    for (int k = 0; k < 2; ++k) {
+                        const double variance = shares[k] * (1 - shares[k]) * n;
+                        if (variance < 15) continue;  // too few of a kind to be normal
+                        const double z = (count[k] - shares[k] * n) / std::sqrt(variance);
+                        worst = larger(worst, std::abs(z));
+                        squares += z * z;
+                        ++compared;
+                    }
+                }
+        }
+    INFO(compared << " shares, the worst " << worst << " standard errors off, mean square " << squares / compared);
+    CHECK(compared > 300);
+    CHECK(worst < 4);
+    CHECK(squares / compared < 1.25);
+}

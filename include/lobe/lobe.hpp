@@ -82,6 +82,7 @@
 #include <lobe/energy/albedo.hpp>
 #include <lobe/energy/anisotropic_dfg.hpp>
 #include <lobe/energy/compensated.hpp>
+#include <lobe/energy/compensated_dielectric.hpp>
 #include <lobe/energy/default_dfg.hpp>
 #include <lobe/energy/dfg.hpp>
 #include <lobe/energy/dfg_export.hpp>

@@ -34,6 +34,7 @@ public:
     using scalar = T;
     using spectrum = T;
     using exact::f, exact::f_cos, exact::pdf, exact::evaluate, exact::sample;
+    using transports = Transport;
     static constexpr bool isotropic = N::isotropic, transmits = true;
 
     constexpr rough_dielectric(const N& distribution_of_normals, const M& masking_model, const T& eta,

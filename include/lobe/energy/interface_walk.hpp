@@ -18,8 +18,8 @@ class interface_walk {
     using side = detail::dielectric_side<T>;
 
 public:
-    /// Where the light leaves, and how many facets it met. The share of the paths that leave in a solid angle is that of
-    /// the light that arrives along v, int f |cos| dl for importance transport.
+    /// Where the light leaves, and how many facets it met: of the paths, the share that leaves in a solid angle is
+    /// that of the light that arrives along v, int f |cos| dl for importance transport.
     /// weight: 1, or 0 for a path that was given up.
     struct path {
         vec3<T> l;
