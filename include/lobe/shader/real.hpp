@@ -28,7 +28,7 @@ public:
         : at(recorded->what == op::number ? nullptr : recorded), value(at ? 0.0f : value_of(recorded)) {}
 
     // clang-format off
-    explicit operator int() const = delete;  // "scalar types only": an index cannot be recorded, take a fit
+    explicit operator int() const = delete;  // "scalar types only": an index cannot be recorded, take a fit, a texture
     // clang-format on
 
     constexpr bool constant() const { return !at; }
