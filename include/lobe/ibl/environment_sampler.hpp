@@ -189,7 +189,7 @@ private:
         map.for_each([&](int face, int column, int row, const vec3<T>&) {
             result.push_back(cube_texel_solid_angle<double>(column, row, map.size()) *
                              detail::brightness_around(
-                                 [&](int i, int j) -> const vec3<T>& { return map.at(face, column + i, row + j); }));
+                                 [&](int i, int j) -> const vec3<T>& { return map.node(face, column + i, row + j); }));
         });
         return result;
     }

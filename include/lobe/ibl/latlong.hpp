@@ -293,4 +293,28 @@ private:
     T texel, per_texel;
 };
 
+/// A lat-long map of what an environment shows: each texel the mean of `per_axis`^2 look-ups, weighted with their solid
+/// angles. `environment`: any callable of a unit direction, a `cube` or a `rotated` map, too.
+template <scalar T, class Environment>
+latlong<T> make_latlong(const Environment& environment, int width, int height, int per_axis = 1) {
+    using W = detail::wide_t<T>;
+    assert(width > 0 && height > 0 && per_axis > 0 && "make_latlong: width, height and look-ups must be above 0");
+    std::vector<vec3<T>> pixels;
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column) {
+            vec3<W> total(W(0));
+            W weights(0);
+            for (int j = row * per_axis; j < (row + 1) * per_axis; ++j) {
+                const W weight = latlong_texel_solid_angle<W>(j, width * per_axis, height * per_axis);
+                for (int i = column * per_axis; i < (column + 1) * per_axis; ++i) {
+                    const vec2<T> uv{(T(i) + T(0.5f)) / T(width * per_axis), (T(j) + T(0.5f)) / T(height * per_axis)};
+                    total += vec3<W>(vec3<T>(environment(latlong_direction(uv)))) * weight;
+                    weights += weight;
+                }
+            }
+            pixels.push_back(vec3<T>(total / weights));
+        }
+    return latlong<T>(width, height, std::move(pixels));
+}
+
 }  // namespace lobe
