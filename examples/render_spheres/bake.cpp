@@ -4,6 +4,7 @@
 #include "progress.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <iomanip>
 #include <sstream>
@@ -15,29 +16,22 @@
 
 namespace {
 
-/// A lat-long map of `at(direction)`, its rows shared out among the cores.
-template <class Function>
-lobe::latlong<float> tabulated(int width, int height, const std::string& name, const Function& at) {
-    image map{width, height};
-    step progress(name + ", " + std::to_string(width) + " x " + std::to_string(height),
-                  static_cast<std::size_t>(height));
-    tbb::parallel_for(0, height, [&](int y) {
-        for (int x = 0; x < width; ++x) {
-            const glm::vec2 uv{(static_cast<float>(x) + 0.5f) / static_cast<float>(width),
-                               (static_cast<float>(y) + 0.5f) / static_cast<float>(height)};
-            map(x, y) = at(lobe::latlong_direction(uv));
-        }
-        progress.advance();
-    });
-    return {width, height, std::move(map.pixels)};
+/// Shares rows out among the cores, and shows them as a step.
+auto rows_of(const std::string& name) {
+    return [name](int rows, const auto& g) {
+        step progress(name, static_cast<std::size_t>(rows));
+        tbb::parallel_for(0, rows, [&](int row) {
+            g(row);
+            progress.advance();
+        });
+    };
 }
 
-/// Fine enough for bilinear look-ups in a lobe of this width, and no finer than the map itself.
-int prefiltered_width(lobe::alpha<float> a, int environment_width) {
-    const int finest = std::min(environment_width, 1024);
-    int width = std::min(128, finest);
-    while (2 * width <= finest && static_cast<float>(width) * a.value() < 12) width *= 2;
-    return width;
+/// Fine enough for bilinear look-ups in a lobe of this width, and no finer than the environment itself.
+int prefiltered_size(lobe::alpha<float> a, int finest) {
+    int size = std::min(32, finest);
+    while (2 * size <= std::min(finest, 256) && static_cast<float>(size) * a.value() < 3) size *= 2;
+    return size;
 }
 
 }  // namespace
@@ -63,18 +57,25 @@ std::size_t halvings(const lobe::latlong_pyramid<float>& pyramid, float angle) {
 baked_light bake(lobe::latlong<float> environment, const std::vector<float>& roughnesses) {
     lobe::latlong_pyramid<float> pyramid{std::move(environment)};
     const auto& coarse = pyramid.level(halvings(pyramid, diffuse_texel));
-    auto irradiance = tabulated(64, 32, "irradiance", [&](const vec3& n) { return lobe::irradiance(coarse, n); });
+    auto irradiance = lobe::make_latlong<float>([&](const vec3& n) { return lobe::irradiance(coarse, n); }, 64, 32, 1,
+                                                rows_of("irradiance"));
+
+    // a cube's face has as many texels as a quarter of the equator, or up to twice as many
+    const int height = pyramid.level(0).height;
+    const auto finest = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::clamp(height / 2, 1, 512))));
+    const lobe::cube_pyramid<float> cubes{lobe::make_cube<float>(pyramid.level(0), finest, 2, rows_of("cube"))};
 
     std::vector<baked_light::level> levels;
     for (const float roughness : roughnesses) {
         const auto a = lobe::alpha<float>::from_roughness(roughness);
-        const int width = prefiltered_width(a, pyramid.level(0).width);
-        const auto count = static_cast<std::uint32_t>(std::clamp((1 << 26) / (width * width), 128, 1024));
+        const int size = prefiltered_size(a, finest);
+        const lobe::prefilter_samples<float> samples{
+            cubes, a, static_cast<std::uint32_t>(std::clamp((1 << 22) / (size * size), 128, 1024))};
         std::ostringstream name;
         name << "radiance for roughness " << std::fixed << std::setprecision(2) << roughness;
-        levels.push_back({roughness, a, tabulated(width, width / 2, name.str(), [&](const vec3& r) {
-                              return lobe::prefiltered_radiance(pyramid, r, a, count);
-                          })});
+        levels.push_back({roughness, a,
+                          lobe::make_cube<float>([&](const vec3& r) { return samples(cubes, r); }, size, 1,
+                                                 rows_of(name.str() + ", " + std::to_string(size)))});
     }
     return {std::move(pyramid), std::move(irradiance), std::move(levels)};
 }

@@ -2,15 +2,16 @@
 
 #include <vector>
 
+#include <lobe/ibl/cube.hpp>
 #include <lobe/ibl/latlong.hpp>
 #include <lobe/width/alpha.hpp>
 
-/// An environment and what image-based lighting keeps of it. All maps are lat-long.
+/// An environment and what image-based lighting keeps of it.
 struct baked_light {
     struct level {
         float roughness;
         lobe::alpha<float> alpha;
-        lobe::latlong<float> radiance;  // prefiltered with V = N = R
+        lobe::cube<float> radiance;  // prefiltered with V = N = R
     };
     lobe::latlong_pyramid<float> pyramid;  // level(0) is the environment itself
     lobe::latlong<float> irradiance;       // divided by pi

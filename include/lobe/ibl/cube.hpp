@@ -228,16 +228,17 @@ vec3<T> cube_texel_mean(const Environment& environment, int size, int face, int 
     return vec3<T>(total / weights);
 }
 
-/// All of its texels.
-template <scalar T, class Environment>
-cube<T> make_cube(const Environment& environment, int size, int per_axis = 1) {
+/// All of its texels. `for_each_row`: as `one_by_one`.
+template <scalar T, class Environment, class ForEachRow = one_by_one>
+cube<T> make_cube(const Environment& environment, int size, int per_axis = 1, const ForEachRow& for_each_row = {}) {
     assert(size > 0 && per_axis > 0 && "make_cube: size and look-ups must be above 0");
-    std::vector<vec3<T>> pixels;
-    for (int face = 0; face < 6; ++face)
-        for (int row = 0; row < size; ++row)
-            for (int column = 0; column < size; ++column)
-                pixels.push_back(cube_texel_mean<T>(environment, size, face, column, row, per_axis));
-    return cube<T>(size, pixels);
+    std::vector<vec3<T>> pixels(6 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+    for_each_row(6 * size, [&](int row) {
+        for (int column = 0; column < size; ++column)
+            pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(size) + static_cast<std::size_t>(column)] =
+                cube_texel_mean<T>(environment, size, row / size, column, row % size, per_axis);
+    });
+    return cube<T>(size, std::move(pixels));
 }
 
 /// A cube map and its halvings. What another level than the image interpolates are means of the image under the hat

@@ -94,4 +94,13 @@ T cube_texel_solid_angle(int column, int row, int size) {
     return T(corner(column + 1, row + 1) - corner(column, row + 1) - corner(column + 1, row) + corner(column, row));
 }
 
+/// Calls g(row) for each of so many rows, in their order. What takes another `for_each_row` may be given one that calls
+/// in any order, on many threads.
+struct one_by_one {
+    template <class G>
+    constexpr void operator()(int rows, const G& g) const {
+        for (int row = 0; row < rows; ++row) g(row);
+    }
+};
+
 }  // namespace lobe

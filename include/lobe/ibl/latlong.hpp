@@ -294,13 +294,15 @@ private:
 };
 
 /// A lat-long map of what an environment shows: each texel the mean of `per_axis`^2 look-ups, weighted with their solid
-/// angles. `environment`: any callable of a unit direction, a `cube` or a `rotated` map, too.
-template <scalar T, class Environment>
-latlong<T> make_latlong(const Environment& environment, int width, int height, int per_axis = 1) {
+/// angles. `environment`: any callable of a unit direction, a `cube` or a `rotated` map, too. `for_each_row`: as
+/// `one_by_one`.
+template <scalar T, class Environment, class ForEachRow = one_by_one>
+latlong<T> make_latlong(const Environment& environment, int width, int height, int per_axis = 1,
+                        const ForEachRow& for_each_row = {}) {
     using W = detail::wide_t<T>;
     assert(width > 0 && height > 0 && per_axis > 0 && "make_latlong: width, height and look-ups must be above 0");
-    std::vector<vec3<T>> pixels;
-    for (int row = 0; row < height; ++row)
+    std::vector<vec3<T>> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for_each_row(height, [&](int row) {
         for (int column = 0; column < width; ++column) {
             vec3<W> total(W(0));
             W weights(0);
@@ -312,8 +314,10 @@ latlong<T> make_latlong(const Environment& environment, int width, int height, i
                     weights += weight;
                 }
             }
-            pixels.push_back(vec3<T>(total / weights));
+            pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)] =
+                vec3<T>(total / weights);
         }
+    });
     return latlong<T>(width, height, std::move(pixels));
 }
 

@@ -144,10 +144,10 @@ struct prefilter_options {
 };
 
 /// Makes the chain of an environment: its image, then level by level for its roughness, half as wide each, down to
-/// `smallest`. `for_each_row(rows, g)`: calls g(row) for each of so many rows, in any order, perhaps on many threads.
-template <scalar T, class ForEachRow>
-prefiltered_chain<T> prefilter(const cube_pyramid<T>& environment, const prefilter_options& options,
-                               const ForEachRow& for_each_row) {
+/// `smallest`. `for_each_row`: as `one_by_one`.
+template <scalar T, class ForEachRow = one_by_one>
+prefiltered_chain<T> prefilter(const cube_pyramid<T>& environment, const prefilter_options& options = {},
+                               const ForEachRow& for_each_row = {}) {
     assert(options.smallest > 0 && options.count > 0 && "prefilter: size and count must be above 0");
     std::vector<cube<T>> levels{environment.level(0)};
     int count = 1;
@@ -163,23 +163,9 @@ prefiltered_chain<T> prefilter(const cube_pyramid<T>& environment, const prefilt
             const T mean = (e.value.x + e.value.y + e.value.z) / T(3);
             return e.standard_error.x > T(options.tolerance) * mean ? more(environment, r) : e.value;
         };
-        std::vector<vec3<T>> pixels(6 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
-        for_each_row(6 * size, [&](int row) {
-            for (int column = 0; column < size; ++column) {
-                const vec2<T> uv{(T(column) + T(0.5f)) / T(size), (T(row % size) + T(0.5f)) / T(size)};
-                pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(size) +
-                       static_cast<std::size_t>(column)] = filtered(cube_direction(row / size, uv));
-            }
-        });
-        levels.push_back(cube<T>(size, pixels));
+        levels.push_back(make_cube<T>(filtered, size, 1, for_each_row));
     }
     return prefiltered_chain<T>(std::move(levels));
-}
-template <scalar T>
-prefiltered_chain<T> prefilter(const cube_pyramid<T>& environment, const prefilter_options& options = {}) {
-    return prefilter(environment, options, [](int rows, const auto& g) {
-        for (int row = 0; row < rows; ++row) g(row);
-    });
 }
 
 }  // namespace lobe
