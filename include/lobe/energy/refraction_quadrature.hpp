@@ -85,7 +85,7 @@ auto refraction_integral_at(const G& g, const vec3<T>& v, const dielectric_side<
             const W d2 = dx * dx + dy * dy, p = p_max * cosine;
             cuts.clear();
             if (critical > W(0)) {
-                const W end = p > W(0) ? view.z / p : std::numeric_limits<W>::max();
+                const W end = p > W(0) ? view.z / p : (std::numeric_limits<W>::max)();
                 add_slopes(cuts, critical, view.z, p, d2, end);
                 const W q = (view.x * view.x + view.y * view.y - side.n * side.n) / (view.z * view.z * d2),
                         half = p / (view.z * d2), discriminant = half * half - q;
