@@ -13,9 +13,9 @@ constexpr vec2<T> r2(std::uint32_t i) {
     return {detail::multiple_of<T>(0xc13fa9a902a6328fu, i), detail::multiple_of<T>(0x91e10da5c79e7b1du, i)};
 }
 
-/// Point i of n of the Fibonacci lattice: ((i + 1/2)/n, (i + 1/2)/phi modulo 1), phi = (1 + sqrt(5))/2. Of any n the most even
-/// set here; where n is Fibonacci's F_k, it is his rank-1 lattice (1, F_(k-1))/n to within 1/n (Niederreiter 1992,
-/// "Random Number Generation and Quasi-Monte Carlo Methods", section 5.1).
+/// Point i of n of the Fibonacci lattice: ((i + 1/2)/n, (i + 1/2)/phi modulo 1), phi = (1 + sqrt(5))/2. Any n; where n
+/// is Fibonacci's F_k, it is his rank-1 lattice (1, F_(k-1))/n to within 1/n (Niederreiter 1992, "Random Number
+/// Generation and Quasi-Monte Carlo Methods", section 5.1).
 /// Domain: i < n. Error: 2^-24 in float, 2^-31 in double.
 template <scalar T = float>
 constexpr vec2<T> fibonacci(std::uint32_t i, std::uint32_t n) {
