@@ -34,7 +34,7 @@ struct prebuilt {
     tabulated<lobe::gtr_shape<T>> gtr_1, gtr_3_2;
     tabulated<lobe::abc_shape<T>> abc;
     tabulated<lobe::sgd_shape<T>> sgd;
-    lobe::dfg_table<T, lobe::smith_correlated> dfg;
+    lobe::dfg_table<T, lobe::smith_correlated> dfg, dfg_16, dfg_64;
 
     explicit prebuilt(float width)
         : exponential_power(with_area<lobe::exponential_power_shape<T>>(lobe::exponential_power_shape<T>(T(0.5f)))),
@@ -43,7 +43,9 @@ struct prebuilt {
           gtr_3_2(one_width(lobe::gtr_shape<T>(T(width), T(1.5f)), width)),
           abc(one_width(lobe::abc_shape<T>(T(width), T(1.5f)), width)),
           sgd(one_width(lobe::sgd_shape<T>(T(width), T(0.5f)), width)),
-          dfg(lobe::bake_dfg<T>(lobe::smith_correlated{}, {.size = 32})) {}
+          dfg(lobe::bake_dfg<T>(lobe::smith_correlated{}, {.size = 32})),
+          dfg_16(lobe::bake_dfg<T>(lobe::smith_correlated{}, {.size = 16})),
+          dfg_64(lobe::bake_dfg<T>(lobe::smith_correlated{}, {.size = 64})) {}
 
 private:
     template <class Shape>

@@ -3,6 +3,7 @@
 #include "textbook.hpp"
 #include "truth.hpp"
 
+#include <lobe/energy/default_dfg.hpp>
 #include <lobe/energy/dfg_published.hpp>
 
 namespace {
@@ -248,11 +249,16 @@ section dfg_look_up() {
     rows.against(
         "Karis 2014, mobile fit", [](const auto& e) { return two(textbook::karis_mobile(e.v().z, e.a())); }, exact_dfg,
         "model");
+    const auto table = [&](const char* label, auto terms) { rows.against(label, terms, exact_dfg, "table"); };
+    table("lobe `default_dfg`", fitted<lobe::default_dfg>);
+    table("lobe `dfg_table`, 16 x 16", [](const auto& e) { return two(e.built().dfg_16(e.v().z, e.alpha())); });
+    table("lobe `dfg_table`, 64 x 64", [](const auto& e) { return two(e.built().dfg_64(e.v().z, e.alpha())); });
     const auto fit = [&](const char* label, auto terms) { rows.against(label, terms, exact_dfg, "model"); };
     fit("lobe `dfg_fit_tiny`", fitted<lobe::dfg_fit_tiny>);
     fit("lobe `dfg_fit_cheap`", fitted<lobe::dfg_fit_cheap>);
     fit("lobe `dfg_fit_medium`", fitted<lobe::dfg_fit_medium>);
     fit("lobe `dfg_fit_precise`", fitted<lobe::dfg_fit_precise>);
+    fit("Lazarov 2013, `dfg_lazarov`", fitted<lobe::dfg_lazarov>);
     fit("Hirvonen et al. 2019, `dfg_hirvonen`", fitted<lobe::dfg_hirvonen>);
     fit("MaterialX, `dfg_materialx`", fitted<lobe::dfg_materialx>);
     return rows.made;
@@ -261,6 +267,13 @@ section dfg_look_up() {
 template <int Order>
 constexpr auto quadrature =
     [](const auto& e) { return two(lobe::dfg_exact(smith_correlated{}, e.v().z, e.alpha(), {.order = Order})); };
+
+constexpr auto to_1e_3 = [](const auto& e) {
+    return two(lobe::dfg_exact(smith_correlated{}, e.v().z, e.alpha(), {.tolerance = 1e-3}));
+};
+constexpr auto to_1e_6 = [](const auto& e) {
+    return two(lobe::dfg_exact(smith_correlated{}, e.v().z, e.alpha(), {.tolerance = 1e-6}));
+};
 
 section dfg_integration() {
     rows_of<itself> rows("Split-sum terms: one integration", {{"scale, bias", absolute, 0, 2}});
@@ -273,6 +286,8 @@ section dfg_integration() {
         "textbook, 1024 Hammersley samples",
         [](const auto& e) { return two(textbook::integrate_brdf(e.v().z, e.a(), 1024)); }, "model, noise");
     add("lobe `dfg_exact`, order 32", quadrature<32>, "quadrature");
+    add("lobe `dfg_exact`, tolerance 1e-3", to_1e_3, "quadrature");
+    add("lobe `dfg_exact`, tolerance 1e-6", to_1e_6, "quadrature");
     return rows.made;
 }
 

@@ -252,7 +252,7 @@ TEMPLATE_TEST_CASE("energy at the extremes: what a base keeps under a lobe adds 
         });
 }
 
-TEMPLATE_TEST_CASE("energy at the extremes: what makes light makes no more than stated, and the coat none",
+TEMPLATE_TEST_CASE("energy at the extremes: what gains energy gains no more than stated, and the coat none",
                    "[energy_extremes]", float, double) {
     using T = TestType;
     const lobe::coupled base{lambert{1.0}, lobe::fresnel_coupling{schlick{0.04}}};

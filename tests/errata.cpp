@@ -311,7 +311,7 @@ TEST_CASE("errata 000, image-based light: the printed formulas fail the checks",
         CHECK(agree(lobe::uniform_hemisphere_pdf<double>() * hemisphere, 1, 1e-15));
         CHECK_FALSE(agree(1 / (2 * pi) * sphere, 1, 1e-15));
     }
-    SECTION("S0-7: the diffuse weight 1 - F(v.h) makes light") {
+    SECTION("S0-7: the diffuse weight 1 - F(v.h) gains energy") {
         const auto printed = [](double mu, double a) {
             const schlick F{0.04};
             const auto t = terms_at(mu, a);

@@ -50,7 +50,7 @@ double fresnel_total(double a, double mu) {
 
 }  // namespace
 
-TEST_CASE("the price of 1 - F(v.h): a white base makes light", "[layered]") {
+TEST_CASE("the price of 1 - F(v.h): a white base gains energy", "[layered]") {
     CHECK(std::abs(fresnel_total(0.05, 0.01) - 1.49) < 0.005);  // independently computed to two decimals
     CHECK(std::abs(fresnel_total(0.1, 0.1) - 1.26) < 0.005);
     double largest = 0;
@@ -377,7 +377,7 @@ TEST_CASE("glTF: metallic 1 is the bare metal, metallic 0 the dielectric", "[lay
 }
 
 TEST_CASE("Disney's clear coat", "[layered]") {
-    // The F = 1 furnace of GTR1 under a GGX masking of alpha 0.25 makes light; GTR1 under its own does not
+    // The F = 1 furnace of GTR1 under a GGX masking of alpha 0.25 gains energy; GTR1 under its own does not
     const lobe::gtr gtr1{alpha{0.1}, 1.0};
     const microfacet disney{lobe::masked_by{gtr1, ggx{alpha{0.25}}}, lobe::smith_separable{},
                             lobe::perfect_reflector{}};

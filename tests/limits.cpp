@@ -630,6 +630,7 @@ TEMPLATE_TEST_CASE("limits: split-sum terms at the edges of the table and beyond
         CHECK(table(-limits<T>::infinity(), width).bias == table(T(0), width).bias);
     }
     CHECK(table(T(0.3), alpha<T>(T(3))).scale == table(T(0.3), alpha<T>(T(1))).scale);
+    CHECK(table.average(alpha<T>(T(3))).scale == table.average(alpha<T>(T(1))).scale);
     // a mirror seen along its normal
     CHECK(std::abs(table(T(1), alpha<T>(T(1e-8))).scale - 1) < T(2e-5));
 }

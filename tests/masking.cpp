@@ -380,7 +380,7 @@ TEST_CASE("V-cavities: G2 is the smaller of two G1, 1 near the normal, finite at
     CHECK(both == Catch::Approx(1));  // den = |s|^2/4 * 1/2 = 1/4
 }
 
-TEST_CASE("no masking model makes light", "[masking]") {
+TEST_CASE("no masking model gains energy", "[masking]") {
     // E(mu) <= 1 with F = 1: what masking models promise, and measured here because four of them are fits. The nearest
     // to 1 is alpha 0.01 at the normal, 1 - 1e-4.
     // Quadrature error at this order: below 1e-5, with the kinks of V-cavities too.

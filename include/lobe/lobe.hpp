@@ -75,6 +75,7 @@
 #include <lobe/energy/compensated.hpp>
 #include <lobe/energy/default_dfg.hpp>
 #include <lobe/energy/dfg.hpp>
+#include <lobe/energy/dfg_export.hpp>
 #include <lobe/energy/dfg_fit.hpp>
 #include <lobe/energy/dfg_published.hpp>
 #include <lobe/energy/dfg_table.hpp>
@@ -87,8 +88,13 @@
 #include <lobe/energy/smith_multiscatter.hpp>
 #include <lobe/energy/turquin.hpp>
 
+#include <lobe/ibl/cube.hpp>
 #include <lobe/ibl/directions.hpp>
+#include <lobe/ibl/environment_sampler.hpp>
+#include <lobe/ibl/harmonics.hpp>
 #include <lobe/ibl/irradiance.hpp>
 #include <lobe/ibl/latlong.hpp>
 #include <lobe/ibl/prefilter.hpp>
 #include <lobe/ibl/reflected_radiance.hpp>
+#include <lobe/ibl/rotated.hpp>
+#include <lobe/ibl/shade.hpp>

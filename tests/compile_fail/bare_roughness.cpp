@@ -1,10 +1,16 @@
-// A bare number is neither alpha nor roughness.
+// error: a bare number is no width: write alpha{0.3f}, or alpha<float>::from_roughness(r)
+// of: ggx<float>{roughness}; beckmann<float>{roughness}; blinn_phong<float>{roughness}; phong<float>{roughness}
+// of: student_t<float>{roughness, 2.0f}; gtr<float>{roughness, 1.0f}
 #include <lobe/lobe.hpp>
 
-float peak(float roughness) {
+using namespace lobe;
+
+// The scalar type is given, so that no deduction guide is asked.
+auto peak(float roughness) {
 #ifdef LOBE_SHOULD_COMPILE
-    return lobe::ggx{lobe::alpha<float>::from_roughness(roughness)}.D({0, 0, 1});
+    const auto ndf = ggx<float>{alpha<float>::from_roughness(roughness)};
 #else
-    return lobe::ggx<float>{roughness}.D({0, 0, 1});
+    const auto ndf = ggx<float>{roughness};
 #endif
+    return ndf.D({0, 0, 1});
 }

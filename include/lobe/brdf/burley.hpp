@@ -22,10 +22,11 @@ constexpr T twice_squared_difference_cosine(const vec3<T>& v, const vec3<T>& l) 
 
 }  // namespace detail
 
-/// f = rho/pi (1 + (F90 - 1)(1 - cos(theta_l))^5)(1 + (F90 - 1)(1 - cos(theta_v))^5), F90 = 1/2 + 2 r (l.h)^2. Burley
-/// 2012, "Physically-Based Shading at Disney", section 5.3. r: perceptual roughness (not alpha), rho: both in [0,1].
-/// Reciprocal, but it gains energy: albedo at rho = 1 from 0.488 (r = 0) to 1.56 (r = 1), both at grazing. Rounding: 12
-/// ULP.
+/// f = rho/pi (1 + (F90 - 1)(1 - cos(theta_l))^5)(1 + (F90 - 1)(1 - cos(theta_v))^5), F90 = 1/2 + 2 r (l.h)^2.
+/// Burley 2012, "Physically-Based Shading at Disney", section 5.3. r: perceptual roughness
+/// (not alpha), rho: both in [0,1].
+/// Reciprocal, but it gains energy: albedo at rho = 1 from 0.488 (r = 0) to 1.56 (r = 1),
+/// both at grazing. Rounding: 12 ULP.
 template <class S>
 class burley : public cosine_sampled<burley<S>, S> {
     using T = component_t<S>;
@@ -51,8 +52,8 @@ private:
 
 /// The same with F90 = r/2 + 2 r (l.h)^2, and times 1 + (1/1.51 - 1) r.
 /// Lagarde & de Rousiers 2014, "Moving Frostbite to Physically Based Rendering", listing 2. r: perceptual roughness;
-/// rho, r in [0,1]. Albedo at rho = 1: at most 1.032; meant to be added to a specular lobe, so it falls to 0 at grazing
-/// where r = 0.
+/// rho, r in [0,1]. Albedo at rho = 1: at most 1.032; meant to be added to a specular lobe,
+/// so it falls to 0 at grazing where r = 0.
 /// Rounding: 12 ULP, or of rho/5 where a factor vanishes (r = 0, grazing).
 template <class S>
 class burley_frostbite : public cosine_sampled<burley_frostbite<S>, S> {

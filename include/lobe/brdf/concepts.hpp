@@ -41,8 +41,8 @@ constexpr void for_each_crease(const Part& part, const G& g) {
 
 /// A BRDF: `f_cos(v, l)` is f(v,l) cos(theta_l), zero where v or l is below the horizon. `width()` is the scale of its
 /// narrowest structure in half-vector slopes along x and y, for quadrature.
-/// Parameters outside their domain end in an assert; where asserts are compiled out, results mean nothing: NaN, or some
-/// number.
+/// Parameters outside their domain end in an assert; where asserts are compiled out,
+/// results mean nothing: NaN, or some number.
 template <class B>
 concept brdf = scalar<typename B::scalar> && requires(const B b, const vec3<typename B::scalar> w) {
     typename B::spectrum;
@@ -60,18 +60,25 @@ concept samplable_brdf = brdf<B> &&
     { b.evaluate(w, w) } -> std::same_as<evaluation<typename B::spectrum, typename B::scalar>>;
 };
 
-/// GLM converts float and double vectors into each other without a word. A BRDF `Self` that derives from this, and
-/// `using`s its names, does not: vectors of any other type than its own find a deleted function. (Compilers print the
-/// line, and with it what to do. `Self` keeps the bases of nested BRDFs apart: two of one type would not share an
-/// address.)
+/// GLM converts float and double vectors into each other silently. A BRDF `Self` that derives from this, and
+/// `using`s its names, does not: vectors of any other type than its own find a deleted function. Compilers print its
+/// line, which says what to do; its type is right, so that there is no second error. (`Self` keeps the bases of nested
+/// BRDFs apart: two of one type would not share an address.)
 template <class Self>
 struct exact_vectors {
     // clang-format off
-    template <class V, class L> void f(const V&, const L&) const = delete;         // convert them: vec3<T>(v)
-    template <class V, class L> void f_cos(const V&, const L&) const = delete;     // convert them: vec3<T>(v)
-    template <class V, class L> void pdf(const V&, const L&) const = delete;       // convert them: vec3<T>(v)
-    template <class V, class L> void evaluate(const V&, const L&) const = delete;  // convert them: vec3<T>(v)
-    template <class V, class U> void sample(const V&, const U&) const = delete;    // convert them: vec3<T>(v)
+    template <class V, class L, class B = Self>
+    typename B::spectrum f(const V&, const L&) const = delete;  // convert the vectors: vec3<T>(v)
+    template <class V, class L, class B = Self>
+    typename B::spectrum f_cos(const V&, const L&) const = delete;  // convert the vectors: vec3<T>(v)
+    template <class V, class L, class B = Self>
+    typename B::scalar pdf(const V&, const L&) const = delete;  // convert the vectors: vec3<T>(v)
+    template <class V, class L, class B = Self>
+    evaluation<typename B::spectrum, typename B::scalar>
+    evaluate(const V&, const L&) const = delete;  // convert the vectors: vec3<T>(v)
+    template <class V, class U, class B = Self>
+    direction_sample<typename B::spectrum, typename B::scalar>
+    sample(const V&, const U&) const = delete;  // convert the vectors: vec3<T>(v)
     // clang-format on
 };
 

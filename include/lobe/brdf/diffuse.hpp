@@ -30,7 +30,7 @@ public:
     constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const {
         return model().pi_f(v, l, above_horizon(v, l), l.z * inv_pi<T>());
     }
-    // (Inlined by force: compilers would call what they meet twice, and a loop with a call does not vectorise.)
+    // (Inlined by force: docs/design.md.)
     [[gnu::always_inline]] constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const {
         return pdf(v, l, Sampler{}.share(model(), v, l));
     }
@@ -40,7 +40,7 @@ public:
 
     /// u in [0,1)^2. Fails only where v is below the horizon.
     [[gnu::always_inline]] constexpr direction_sample<S, T> sample(const vec3<T>& v, const vec2<T>& u) const {
-        // seen from below its mirror image, which is not taken
+        // a view from below draws as its mirror image; `lit` drops the sample
         const vec3<T> l = Sampler{}.sample(model(), vec3<T>{v.x, v.y, absolute(v.z)}, u);
         const auto lit = above_horizon(v, l);
         const T share = Sampler{}.share(model(), v, l);
@@ -48,7 +48,7 @@ public:
                 pdf(v, l, share)};
     }
 
-    /// pi f(v, n): what a composition shares its samples by.
+    /// pi f(v, n). A composition gives its lobes samples in proportion to this.
     constexpr S albedo_estimate(const vec3<T>& v) const {
         return model().pi_f(v, {T(0), T(0), T(1)}, v.z > horizon<T>(), T(1));
     }

@@ -1,5 +1,4 @@
-// How a diffuse BRDF draws its light directions: by the cosine, or by the cosine and what a rough surface throws back
-// to the viewer.
+// How a diffuse BRDF draws its light directions: by the cosine, or also towards the viewer, as rough surfaces reflect.
 #pragma once
 
 #include <lobe/sampling/warp.hpp>
@@ -19,8 +18,8 @@ concept diffuse_sampler = requires(const Sampler sampler, const Model model, con
     { sampler.share(model, w, w) } -> std::same_as<typename Model::scalar>;
 };
 
-/// pdf = cos(theta_l)/pi, weight = pi f. Of a rough surface the weight grows as 1/cos(theta) where both directions
-/// graze.
+/// pdf = cos(theta_l)/pi, weight = pi f. Of a rough surface the weight grows as 1/cos(theta) where
+/// both directions graze.
 struct cosine_sampling {
     template <class Model, scalar T>
     [[gnu::always_inline]] constexpr vec3<T> sample(const Model&, const vec3<T>&, const vec2<T>& u) const {
@@ -32,28 +31,28 @@ struct cosine_sampling {
     }
 };
 
-/// What a rough diffuse surface reflects more than a smooth one, to `backscatter_sampling`: 1 + tilt s + peak
+/// The lobe of `backscatter_sampling` over the cosine: 1 + tilt s + peak
 /// s/sin(theta_l) (1/t - 1), with s and t as in its comment. tilt in [0,1), peak >= 0.
 template <scalar T>
 struct backscatter {
     T tilt, peak;
 };
 
-/// With s = v.l - cos(theta_v) cos(theta_l), t = max(cos(theta_v), cos(theta_l)), N = 1 + peak sin(theta_v) (1 -
-/// cos(theta_v))/pi:
+/// With s = v.l - cos(theta_v) cos(theta_l), t = max(cos(theta_v), cos(theta_l)) and
+/// N = 1 + peak sin(theta_v) (1 - cos(theta_v))/pi:
 ///   pdf = cos(theta_l)/(pi N) (1 + tilt s + peak max(0, s)/sin(theta_l) (1/t - 1)).
 /// Exact, as a mixture of two lobes. The first, cos(theta_l) (1 + tilt s): points of the disk, uniform at first, move
 /// along the azimuth of v by the inverse of the linear density that each chord is to have. The second: the azimuth in
 /// proportion to the cosine of its difference from that of v, cos(theta_l) in a triangle on [0,1] with its peak at
 /// cos(theta_v). Derived here: FON's own lobe is
 ///   pi f cos(theta_l) = rho A_F (cos(theta_l) (1 + r s) + r max(0, s) cos(theta_l) (1/t - 1)),
-/// so that with tilt and peak near r the weight is nearly constant. Its standard deviation is 0.05 of the mean at r =
-/// 1, grazing, and 0.08 at most, EON of albedo 1; by the cosine 1.45, 0.85, 0.48 at cos(theta_v) 0.001, 0.1, 0.5; by
-/// the clipped linearly transformed cosine and uniform hemisphere of Portsmouth, Kutz, Hill 2025, section 4: 0.19.
-/// Domain: v unit, above the horizon; u in [0,1)^2: no sample fails. u.x chooses the lobe and is stretched over [0,1)
-/// again. At v = n, and where tilt and peak are 0, it is the cosine. Rounding: 8 ULP of pdf's largest term, 4 ULP of
-/// rho for the weight; l in float 1e-6 radian. No term cancels next to the horizon, as 1 - cos and 1 - u are carried
-/// along.
+/// so that with tilt and peak near r the weight is nearly constant. Its standard deviation is 0.05 of the mean at
+/// r = 1, grazing, and 0.08 at most, EON of albedo 1; by the cosine 1.45, 0.85, 0.48 at cos(theta_v) 0.001, 0.1, 0.5;
+/// by the clipped linearly transformed cosine and uniform hemisphere of Portsmouth, Kutz, Hill 2025, section 4: 0.19.
+/// Domain: v unit, above the horizon; u in [0,1)^2: no sample fails.
+/// u.x chooses the lobe and is rescaled to [0,1). At v = n, and where tilt and peak are 0, it is the cosine.
+/// Rounding: 8 ULP of pdf's largest term, 4 ULP of rho for the weight; l in float 1e-6 radian.
+/// No term cancels next to the horizon, as 1 - cos and 1 - u are carried along.
 /// Cost: `sample` 3.5 times that of `cosine_sampling`, `evaluate` 1.3 times, in a vectorised loop 2 to 3.
 struct backscatter_sampling {
     template <class Model, scalar T>
@@ -67,7 +66,7 @@ struct backscatter_sampling {
         const T first = select(second, T(0), p), last = select(second, p, T(1));
         const T x = (u.x - first) / (last - first), rest = (last - u.x) / (last - first);  // rest = 1 - x > 0
         const vec3<T> l = select(second, peaked(v.z, depth, {x, u.y}, rest), tilted(tilt * sine, {x, u.y}, rest));
-        // below it squares have lost their digits
+        // below it the square has lost its digits
         const auto leaning = sine2 > T((std::numeric_limits<lane_t<T>>::min)());
         const T c = select(leaning, quotient(leaning, v.x, sine), T(1)), s = quotient(leaning, v.y, sine);
         return {c * l.x - s * l.y, s * l.x + c * l.y, l.z};
@@ -90,9 +89,9 @@ private:
         return peak * sine * depth * inv_pi<T>();
     }
 
-    /// cos(theta) (1 + k x)/pi. On the chord from -c to c, c^2 = 1 - y^2, the uniform x goes where x' + k x'^2/2 = x +
-    /// k c^2/2; with w = 1 + k x' that is w^2 = (1 + k x)^2 + k^2 (1 - x^2 - y^2), and the cosine is z^2 = c^2 - x'^2 =
-    /// 2 (1 - x^2 - y^2)/(1 + k x + w).
+    /// cos(theta) (1 + k x)/pi. On the chord from -c to c, c^2 = 1 - y^2, the uniform x goes where
+    /// x' + k x'^2/2 = x + k c^2/2; with w = 1 + k x' that is w^2 = (1 + k x)^2 + k^2 (1 - x^2 - y^2),
+    /// and the cosine is z^2 = c^2 - x'^2 = 2 (1 - x^2 - y^2)/(1 + k x + w).
     template <scalar T>
     [[gnu::always_inline]] static constexpr vec3<T> tilted(const T& k, const vec2<T>& u, const T& rest) {
         using std::sqrt;
@@ -101,8 +100,8 @@ private:
         return {(T(2) * d.x + k * (d.x * d.x + rest)) / (T(1) + w), d.y, sqrt(T(2) * rest / (e + w))};
     }
 
-    /// max(0, cos(phi)) min(z/cos(theta_v), (1 - z)/(1 - cos(theta_v))). From the top down, 1 - z or z is a square root
-    /// and the other its complement: (1 - root^2)/(1 + root).
+    /// max(0, cos(phi)) min(z/cos(theta_v), (1 - z)/(1 - cos(theta_v))). One of 1 - z and z is a square root,
+    /// the other its complement: (1 - root^2)/(1 + root).
     template <scalar T>
     [[gnu::always_inline]] static constexpr vec3<T> peaked(const T& cosine, const T& depth, const vec2<T>& u,
                                                            const T& rest) {

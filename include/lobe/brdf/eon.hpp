@@ -7,12 +7,12 @@ namespace lobe {
 
 /// f = f_FON + rho_ms/pi (1 - E_F(v)) (1 - E_F(l)) / (1 - E_avg), rho_ms = rho^2 E_avg / (1 - rho (1 - E_avg)).
 /// Portsmouth, Kutz, Hill 2024, "EON: A practical energy-preserving rough diffuse BRDF", listing 1. With 1 - E_F = r
-/// A_F loss and 1 - E_avg = r A_F (c1 - c2) the quotient is r A_F loss(v) loss(l)/(c1 - c2), which is no 0/0 at r = 0.
-/// rho, r in [0,1]; r = 0 is Lambert. `Loss`: `fon_loss`, or `fon_loss_fit`, which needs no inverse tangent. A spectrum
-/// of the user's own needs `/` here, once, in the constructor.
+/// A_F loss and 1 - E_avg = r A_F (c1 - c2) the quotient is r A_F loss(v) loss(l)/(c1 - c2), which is no 0/0
+/// at r = 0. rho, r in [0,1]; r = 0 is Lambert. `Loss`: `fon_loss`, or `fon_loss_fit`, which needs no inverse tangent.
+/// A spectrum of the user's own needs `/` here, once, in the constructor.
 /// Reciprocal. Albedo 1 at rho = 1, within 4e-4 with the fit. Rounding: 8 ULP of its largest term.
-/// Sampled by `backscatter_sampling`: weight at most 1.16 rho. `eon{rho, r, fon_loss{}, cosine_sampling{}}`: 0.78
-/// rho/cos(theta_v).
+/// Sampled by `backscatter_sampling`: weight at most 1.16 rho. `eon{rho, r, fon_loss{}, cosine_sampling{}}`:
+/// 0.78 rho/cos(theta_v).
 template <class S, class Loss = fon_loss, class Sampler = backscatter_sampling>
 class eon : public diffuse_brdf<eon<S, Loss, Sampler>, S, Sampler> {
     using T = component_t<S>;

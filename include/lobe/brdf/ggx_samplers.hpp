@@ -8,7 +8,7 @@
 
 namespace lobe {
 
-// (Inlined by force, as `microfacet::sample` is: clang would call them, and a loop with a call does not vectorise.)
+// (Inlined by force: docs/design.md.)
 
 namespace detail {
 
@@ -39,9 +39,8 @@ constexpr T cap_cut(const vec2<T>& width, const vec3<T>& v) {
 /// lifted to the hemisphere. Heitz 2018, "Sampling the GGX Distribution of Visible Normals", appendix A. The density of
 /// `visible_normals`, pdf = D/(4 sv), from another map of the square: u.x is the squared radius on the disk.
 /// Domain: v unit, above the horizon; u in [0,1)^2. GGX only.
-/// Error of m in float: 4e-7 radian. No term cancels:
-/// with t1 and q^2 = 1 - t1^2, t2 in [-q, q] on the disk, all is written in q + t2 and q - t2, whose product is
-/// 1 - u.x. (As printed: 4e-5.)
+/// With t1 and q^2 = 1 - t1^2, t2 in [-q, q] on the disk, all is written in q + t2 and q - t2,
+/// whose product is 1 - u.x: no term cancels. Error of m in float: 4e-7 radian. (As printed: 4e-5.)
 struct visible_heitz2018 {
     template <scalar T, class Width>
     [[gnu::always_inline]] constexpr vec3<T> sample(const ggx<T, Width>& ndf, const vec3<T>& v,
@@ -49,10 +48,10 @@ struct visible_heitz2018 {
         using std::sqrt;
         const vec2<T> a = ndf.width();
         const vec3<T> w = detail::stretched_view(a, v);
-        // the disk's axes are (-y, x, 0) and (-z x, -z y, sine), where (x, y) is the azimuth of w; any will do at the
-        // normal
+        // the disk's axes are (-y, x, 0) and (-z x, -z y, sine), where (x, y) is the azimuth of w;
+        // any will do at the normal
         const T sine2 = w.x * w.x + w.y * w.y, sine = sqrt(sine2);
-        // below it squares have lost their digits
+        // below it the square has lost its digits
         const auto tilted = sine2 > T((std::numeric_limits<lane_t<T>>::min)());
         const T x = quotient(tilted, w.x, sine), y = select(tilted, quotient(tilted, w.y, sine), T(-1));
 
@@ -80,8 +79,8 @@ struct visible_heitz2018 {
 /// fail. Eto & Tokuyoshi 2023, "Bounded VNDF Sampling for Smith-GGX Reflections". The cap ends at the height -k V.z
 /// instead of -V.z, V the view of the surface of width 1, and what is left shares the probability:
 ///   area = (k v.z + S)/2 = sv - (1 - k) v.z/2,  pdf = D/(2 (k v.z + S)),  S = sqrt(ax^2 v.x^2 + ay^2 v.y^2 + v.z^2)
-/// For reflection only: m is not distributed as visible normals are. Weight = F G2/G1 area/sv: never above that of
-/// `visible_normals`.
+/// For reflection only: m is not distributed as visible normals are. Weight = F G2/G1 area/sv:
+/// never above that of `visible_normals`.
 /// Domain: v unit, above the horizon; u in [0,1)^2; every alpha > 0. GGX only. At alpha = 1 no sample fails.
 /// Error of m: as `stretched::sample_visible` says.
 struct visible_bounded_caps {

@@ -27,8 +27,8 @@ struct masking_functions {
         return v.z * l.z / denominator(ndf, v, l);
     }
 
-    /// ... that v sees: cos(theta_v) / projected_area(v) = 1/(1 + Lambda(v)). A model whose G1 is not Smith's declares
-    /// its own.
+    /// ... that v sees: cos(theta_v) / projected_area(v) = 1/(1 + Lambda(v)).
+    /// A model whose G1 is not Smith's declares its own.
     template <distribution N, class T = typename N::scalar>
     constexpr T G1(const N& ndf, const vec3<T>& v) const {
         return v.z / detail::area_above(ndf, v);
@@ -62,10 +62,10 @@ struct smith_correlated : masking_functions<smith_correlated> {
 
 /// Masking and shadowing correlated through the height and the azimuth phi between v and l:
 ///   G2 = 1/(1 + max(Lambda_v, Lambda_l) + lambda(phi) min(Lambda_v, Lambda_l)),  lambda = 4.41 phi/(4.41 phi + 1).
-/// lambda: van Ginneken, Stavridi, Koenderink 1998, "Diffuse and Specular Reflectance from Rough Surfaces"; used so by
-/// Heitz 2014. phi = 0 gives min(G1(v), G1(l)): what v sees is lit. phi = pi comes near smith_correlated, from above,
-/// without reaching it: lambda(pi) = 0.9327. At v or l = n the azimuth does not matter, since its Lambda is 0. den =
-/// max(sv cos_l, sl cos_v) + lambda min((sv - cos_v) cos_l, (sl - cos_l) cos_v)
+/// lambda: van Ginneken, Stavridi, Koenderink 1998, "Diffuse and Specular Reflectance from Rough Surfaces";
+/// used so by Heitz 2014. phi = 0 gives min(G1(v), G1(l)): what v sees is lit. phi = pi comes near smith_correlated,
+/// from above, without reaching it: lambda(pi) = 0.9327. At v or l = n the azimuth does not matter: Lambda is 0 there.
+///   den = max(sv cos_l, sl cos_v) + lambda min((sv - cos_v) cos_l, (sl - cos_l) cos_v)
 /// v, l unit, above the horizon. Calls `atan2`, so a loop vectorises only where there is a vector atan2.
 /// Error: 6 ULP.
 struct smith_direction_correlated : masking_functions<smith_direction_correlated> {
@@ -82,9 +82,9 @@ struct smith_direction_correlated : masking_functions<smith_direction_correlated
     }
 };
 
-/// smith_correlated of GGX without its square roots: S(w), which is sqrt(alpha^2 + (1 - alpha^2) cos^2), becomes alpha
-/// + (1 - alpha) cos, so that V = 1/(2 lerp(2 cos_v cos_l, cos_v + cos_l, alpha)). Hammon 2017, "PBR Diffuse Lighting
-/// for GGX+Smith Microsurfaces"; Filament, `V_SmithGGXCorrelatedFast`.
+/// smith_correlated of GGX without its square roots: S(w), which is sqrt(alpha^2 + (1 - alpha^2) cos^2),
+/// becomes alpha + (1 - alpha) cos, so that V = 1/(2 lerp(2 cos_v cos_l, cos_v + cos_l, alpha)).
+/// Hammon 2017, "PBR Diffuse Lighting for GGX+Smith Microsurfaces"; Filament, `V_SmithGGXCorrelatedFast`.
 /// alpha = ndf.width().x: isotropic distributions only, as there is no form for two widths; any of them, but what it
 /// approximates is GGX. 0 < alpha <= 1.
 /// Error against smith_correlated: G2 too dark by up to 0.233, where both cosines are 1.6 alpha and alpha is small;

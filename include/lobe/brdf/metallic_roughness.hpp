@@ -9,9 +9,9 @@ namespace lobe {
 
 /// f = F(v.h) D G2/(4 cos_v cos_l) + (1 - F(v.h)) c_diff/pi: GGX, height-correlated Smith, Schlick with
 ///   F0 = lerp(0.04, base_color, metallic),  c_diff = base_color (1 - metallic).
-/// glTF 2.0 specification (Khronos 2021), appendix B. base_color: linear, in [0,1], one number or rgb; metallic in
-/// [0,1]; width: `alpha` of roughness^2, or `alpha_xy`. f in 1/sr. It is a `layered` and samples like one. Metallic 1
-/// is the bare lobe, to the bit in f.
+/// glTF 2.0 specification (Khronos 2021), appendix B. base_color: linear, in [0,1], one number or rgb;
+/// metallic in [0,1]; width: `alpha` of roughness^2, or `alpha_xy`. f in 1/sr. It is a `layered` and samples like one.
+/// Metallic 1 is the bare lobe, to the bit in f.
 /// Reciprocal. Its coupling gains energy: see `fresnel_coupling`.
 template <class S, class Width>
 constexpr auto metallic_roughness(const S& base_color, const typename Width::scalar& metallic, const Width& width) {

@@ -1,5 +1,5 @@
-// The microfacet BRDF of Cook and Torrance, composed from a distribution, a masking model, a Fresnel reflectance and a
-// sampler.
+// The microfacet BRDF of Cook and Torrance, composed from a distribution, a masking model,
+// a Fresnel reflectance and a sampler.
 #pragma once
 
 #include <lobe/brdf/concepts.hpp>
@@ -16,12 +16,13 @@ concept fresnel_for = distribution<N> && fresnel<F, typename N::scalar>;
 
 }  // namespace detail
 
-/// Reached by parts that do not fit: says which one, and what to write.
+/// Reached by parts that do not fit: says which is the first that does not, and what to write. What is evaluated of
+/// it is of any type, so that there is no second error.
 template <class N, class M, class F, class Sampler = visible_normals>
 class microfacet {
     static constexpr bool area = distribution<N> || !normal_density<N>, first = distribution<N> || !area;
-    static constexpr bool second = masking<M, N> || !distribution<N>,
-                          third = detail::fresnel_for<F, N> || !distribution<N>;
+    static constexpr bool second = masking<M, N> || !distribution<N>;
+    static constexpr bool third = detail::fresnel_for<F, N> || !masking<M, N>;
     static_assert(area, "these normals have no projected area in closed form: write tabulated{...}, built once, or "
                         "masked_by{..., ggx{alpha{0.3f}}}");
     static_assert(
@@ -33,8 +34,26 @@ class microfacet {
         third, "microfacet{distribution, masking, Fresnel}: the third is a callable of v.m in the scalar type of the "
                "distribution: schlick{0.04f} for ggx{alpha{0.3f}}, schlick{0.04} for ggx{alpha{0.3}}");
 
+    struct anything {
+        template <class X>
+        operator X() const;
+    };
+    struct answer {
+        anything f_cos, l, weight, pdf;
+    };
+
 public:
     constexpr microfacet(const N&, const M&, const F&, const Sampler& = {}) {}
+    template <class... W>
+    anything f(const W&...) const;
+    template <class... W>
+    anything f_cos(const W&...) const;
+    template <class... W>
+    anything pdf(const W&...) const;
+    template <class... W>
+    answer evaluate(const W&...) const;
+    template <class... W>
+    answer sample(const W&...) const;
 };
 
 /// f(v,l) = F(v.m) D(m) G2(v,l) / (4 cos(theta_v) cos(theta_l)) = F D / (4 den), in 1/sr. Cook & Torrance 1982; Walter
@@ -43,10 +62,9 @@ public:
 /// v, l unit, in tangent space; f, f_cos, pdf are zero unless both are above the horizon. Reciprocal to rounding.
 /// Error of f_cos and pdf, GGX and Schlick, for v and l as they are given: 20 ULP.
 /// Sampled where the sampler can draw normals of the distribution.
-/// Domain: any two directions. Above the horizon are cosines of more than 2^-60, 8.7e-19, in float, 2^-500, 3e-151, in
-/// double (`horizon`): where l nears -v, |v + l|^2 is a number from there on. D needs alpha^2 |v + l|^2 as well: as
-/// that becomes subnormal D loses its digits, and is 0 where that is 0 (alpha 1e-4, both cosines 1e-18 in float: 3 %
-/// off; alpha 1e-6: 0).
+/// Domain: any two directions; 0 from the horizon down, a cosine of 2^-60 in float,
+/// 2^-500 in double (`horizon`), below which |v + l|^2 would underflow near l = -v.
+/// Just above it D loses digits as alpha^2 |v + l|^2 underflows (docs/limits.md).
 template <class N, class M, class F, class Sampler>
     requires(distribution<N>&& masking<M, N>&& detail::fresnel_for<F, N>)
 class microfacet<N, M, F, Sampler> : exact_vectors<microfacet<N, M, F, Sampler>> {
@@ -113,7 +131,7 @@ public:
                 select(valid, density, T(0))};
     }
 
-    /// F(n.v): what a composition shares its samples by.
+    /// F(n.v). A composition gives its lobes samples in proportion to this.
     [[gnu::always_inline]] constexpr S albedo_estimate(const vec3<T>& v) const {
         return fresnel_(smaller(larger(v.z, T(0)), T(1)));
     }
@@ -129,8 +147,8 @@ public:
     }
 
 private:
-    /// w, or where that is below the horizon, where nothing is asked for, its mirror image: so no formula has to look
-    /// where w is.
+    /// w, or its mirror image where w is below the horizon: so no formula asks where w is.
+    /// The result is not used there.
     static constexpr vec3<T> upward(const vec3<T>& w) { return {w.x, w.y, absolute(w.z)}; }
 
     /// The half vector as v + l.

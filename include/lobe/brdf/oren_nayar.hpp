@@ -16,15 +16,15 @@ constexpr T horizontal_dot(const vec3<T>& v, const vec3<T>& l) {
 
 }  // namespace detail
 
-/// f = rho/pi (A + B max(0, s)/max(cos(theta_v), cos(theta_l))), A = 1 - sigma^2/(2 (sigma^2 + 0.33)), B = 0.45
-/// sigma^2/(sigma^2 + 0.09). Oren & Nayar 1994, "Generalization of Lambert's Reflectance Model", the qualitative model
-/// (no interreflections).
+/// f = rho/pi (A + B max(0, s)/max(cos(theta_v), cos(theta_l))), A = 1 - sigma^2/(2 (sigma^2 + 0.33)),
+/// B = 0.45 sigma^2/(sigma^2 + 0.09). Oren & Nayar 1994, "Generalization of Lambert's Reflectance Model",
+/// the qualitative model (no interreflections).
 /// sigma: standard deviation of the facets' slope angle, radians, in [0, pi/2]; rho in [0,1].
-/// Albedo at rho = 1: from 0.559 (sigma = pi/2, seen from above) to 1.015 (sigma = 0.2, grazing): it loses energy, or
-/// makes a little.
+/// Albedo at rho = 1: from 0.559 (sigma = pi/2, seen from above) to 1.015 (sigma = 0.2, grazing):
+/// it loses energy, or gains a little.
 /// Rounding: 8 ULP of its largest term, B (|v.x l.x| + |v.y l.y|)/max(cos) among them.
-/// Sampled by `backscatter_sampling`: weight at most 1.06 rho. `oren_nayar{rho, sigma, cosine_sampling{}}`: 0.44
-/// rho/cos(theta_v).
+/// Sampled by `backscatter_sampling`: weight at most 1.06 rho. `oren_nayar{rho, sigma, cosine_sampling{}}`:
+/// 0.44 rho/cos(theta_v).
 template <class S, class Sampler = backscatter_sampling>
 class oren_nayar : public diffuse_brdf<oren_nayar<S, Sampler>, S, Sampler> {
     using T = component_t<S>;
@@ -83,9 +83,9 @@ struct fujii {
 
 }  // namespace detail
 
-/// What a FON surface of albedo 1 fails to reflect: 1 - E_F(w) = r A_F loss(w), with loss = c1 - G/pi in the symbols of
-/// Portsmouth, Kutz, Hill 2024 (listing 1, `E_FON_exact`), G = S (theta - S mu) + 2/3 ((S/mu) (1 - S^3) - S), S =
-/// sin(theta), mu = cos(theta). Here as
+/// What a FON surface of albedo 1 fails to reflect: 1 - E_F(w) = r A_F loss(w), with loss = c1 - G/pi in the symbols
+/// of Portsmouth, Kutz, Hill 2024 (listing 1, `E_FON_exact`), G = S (theta - S mu) + 2/3 ((S/mu) (1 - S^3) - S),
+/// S = sin(theta), mu = cos(theta). Here as
 ///   loss = ( S asin(mu) + mu ( (pi/2 - 2/3) mu/(1+S) + S^2 - 2/3 S (1+S+S^2)/(1+S) ) ) / pi,
 /// in which the constants that cancel at grazing, where loss is mu/pi, have cancelled already.
 /// Domain: unit w, above the horizon.
@@ -113,9 +113,10 @@ struct fon_loss_fit {
     }
 };
 
-/// f = rho A_F/pi (1 + r s/t), t = max(cos(theta_v), cos(theta_l)) where s > 0, else 1; A_F = 1/(1 + (1/2 - 2/(3 pi))
-/// r). Fujii 2012, "A tiny improvement of Oren-Nayar reflectance model"; "FON" in Portsmouth, Kutz, Hill 2024. rho, r
-/// in [0,1]. E(mu) is `albedo(w)`, its average rho A_F (1 + (2/3 - 28/(15 pi)) r): below 1, and 1 at grazing.
+/// f = rho A_F/pi (1 + r s/t), t = max(cos(theta_v), cos(theta_l)) where s > 0,
+/// else 1; A_F = 1/(1 + (1/2 - 2/(3 pi)) r). Fujii 2012, "A tiny improvement of Oren-Nayar reflectance model";
+/// "FON" in Portsmouth, Kutz, Hill 2024. rho, r in [0,1]. E(mu) is `albedo(w)`,
+/// its average rho A_F (1 + (2/3 - 28/(15 pi)) r): below 1, and 1 at grazing.
 /// Rounding: 8 ULP of its largest term (1 + r s vanishes where r = 1 and both directions are grazing and opposite).
 /// Sampled by `backscatter_sampling`: weight at most 1.04 rho. `fon{rho, r, cosine_sampling{}}`: 0.78 rho/cos(theta_v).
 template <class S, class Sampler = backscatter_sampling>

@@ -1,5 +1,5 @@
-// How a microfacet BRDF draws its half vectors: the fourth part of `microfacet`. Two more for GGX are in
-// ggx_samplers.hpp.
+// How a microfacet BRDF draws its half vectors: the fourth part of `microfacet`.
+// Two more for GGX are in ggx_samplers.hpp.
 #pragma once
 
 #include <lobe/ndf/concepts.hpp>
@@ -8,9 +8,8 @@ namespace lobe {
 
 /// A sampler for the distribution N is two functions:
 /// - `sample(ndf, v, u)`: a unit normal m, seen from v or not;
-/// - `area(ndf, v, v_m, m_z, sv)`: how dense the directions reflected by these m are. Their pdf is D(m) / (4 area) in
-///   1/sr, their
-///   weight F cos(theta_l) area / den. (v_m = v.m, m_z = cos(theta_m), sv = projected_area(v).)
+/// - `area(ndf, v, v_m, m_z, sv)`: how dense the directions reflected by these m are. Their pdf is D(m) / (4 area)
+///   in 1/sr, their weight F cos(theta_l) area / den. (v_m = v.m, m_z = cos(theta_m), sv = projected_area(v).)
 template <class S, class N>
 concept normal_sampler = distribution<N> && requires(const S sampler, const N ndf, const vec3<typename N::scalar> w,
                                                      const vec2<typename N::scalar> u, const typename N::scalar x) {

@@ -39,9 +39,9 @@ constexpr schlick_k<T> k_ibl(const T& roughness) {
     return schlick_k<T>(roughness * roughness / T(2));
 }
 
-/// k = (r + 1)^2/8, r the artists' roughness in [0,1]. Karis 2013, for punctual lights: an artistic remapping (of r to
-/// (r + 1)/2 before it is squared), no approximation of Smith-GGX, whose G1 it misses by up to 0.92, 0.20 rms. Never
-/// for image-based light.
+/// k = (r + 1)^2/8, r the artists' roughness in [0,1]. Karis 2013, for punctual lights: an artistic remapping
+/// (of r to (r + 1)/2 before it is squared), no approximation of Smith-GGX, whose G1 it misses by up to 0.92, 0.20 rms.
+/// Never for image-based light.
 template <scalar T>
 constexpr schlick_k<T> k_ue4_direct(const T& roughness) {
     assert(all(roughness >= T(0)) && "schlick_k: roughness must not be negative");

@@ -1,5 +1,5 @@
-// The sum of BRDFs, each with a weight: two specular lobes, a diffuse base under a coat. Sampled by a one-sample
-// mixture.
+// The sum of BRDFs, each with a weight: two specular lobes, a diffuse base under a coat.
+// Sampled by a one-sample mixture.
 #pragma once
 
 #include <lobe/brdf/scaled.hpp>
@@ -14,7 +14,7 @@ namespace lobe {
 
 namespace detail {
 
-/// The mean of a spectrum's components; 1 for a type of the user's own that cannot be walked through.
+/// The mean of a spectrum's components; 1 for a type of the user's own without begin() and end().
 template <scalar T, class S>
 constexpr T mean(const S& s) {
     if constexpr (std::same_as<S, T>) {
@@ -35,14 +35,14 @@ constexpr T mean(const S& s) {
 
 }  // namespace detail
 
-/// f1 + f2 + ... Nothing is shared between the lobes: what one takes from another is the business of its weight.
+/// f1 + f2 + ... Nothing is shared between the lobes: what one takes from another is for its weight to say.
 /// Two specular lobes, each with a masking of its own: `sum{weighted{1 - t, a}, weighted{t, b}}`.
 /// `for_each_lobe(g)` calls g with each: quadrature integrates them separately, each on its own width.
 ///
 /// Sampled, where all lobes are, by a one-sample mixture (Veach 1997, "Robust Monte Carlo Methods for Light Transport
 /// Simulation", section 9.2.4, with the balance heuristic):
 ///   pdf = sum p_i pdf_i,  weight = sum f_i cos / pdf,  p_i in proportion to the mean of lobe i's `albedo_estimate(v)`.
-/// u.x chooses and is stretched over [0,1) again. Branch-free, so it draws from every lobe and keeps one; the weight
+/// u.x chooses, and is rescaled to [0,1). Branch-free, so it draws from every lobe and keeps one; the weight
 /// stays below max_i(weight_i / p_i). Fails where the chosen lobe does. A lobe whose estimate is 0 is left to the
 /// samples of the others.
 template <brdf First, brdf... Rest>
@@ -167,7 +167,7 @@ private:
         const vec3<T> n{T(0), T(0), T(1)};
         const auto p = given_none_before(v, every_lobe);
         vec3<T> l = n;
-        T x = u.x, chosen_pdf(0);  // x > 1, which it stays: one was chosen
+        T x = u.x, chosen_pdf(0);  // x = 2: a lobe was chosen
         const auto stretched = [&](const T& chance) { return quotient(x < chance, x, chance); };
         const auto keep = [&](const direction_sample<S, T>& s, const T& chance) {
             const auto here = x < chance;
@@ -177,8 +177,7 @@ private:
             x = select(here, T(2), T(1) - (T(1) - x) / others);  // (x - chance)/(1 - chance), which may round to 1
         };
         (keep(std::get<i>(lobes).sample(v, {stretched(p[i]), u.y}), p[i]), ...);
-        // A failed sample is looked at from n, as 0 times the NaN of a NaN view would be a NaN. (Of which v.v > 0 says
-        // that it is none.)
+        // A failed sample is evaluated at n: a view that is NaN would give 0 * NaN. (v.v > 0 is false for it.)
         const auto drawn = chosen_pdf > T(0) && dot(v, v) > T(0);
         const auto e = evaluate(p, select(drawn, v, n), select(drawn, l, n), every_lobe);
         const auto valid = drawn && e.pdf > detail::smallest<T>();

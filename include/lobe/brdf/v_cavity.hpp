@@ -9,9 +9,9 @@ namespace lobe {
 /// Torrance & Sparrow 1967, "Theory for Off-Specular Reflection From Roughened Surfaces"; Cook & Torrance 1982, eq. for
 /// G. With s = v + l, (v.m)/(n.m) = s.s/(2 s.z), so no half vector is normalised and nothing is divided by a cosine:
 ///   den = max(cos_v cos_l, max(cos_v, cos_l) s.s/(4 s.z))
-/// Any distribution whose D(m) is symmetric about n; v, l unit, above the horizon; finite at grazing angles. G2 has
-/// kinks. visible_normals still draws the normals that Smith's surface shows, so with this masking a weight may exceed
-/// F.
+/// Any distribution whose D(m) is symmetric about n; v, l unit, above the horizon; finite at grazing angles.
+/// G2 has kinks. visible_normals still draws the normals that Smith's surface shows, so with this masking
+/// a weight may exceed F.
 /// Error: 6 ULP where v + l does not cancel.
 struct v_cavity : masking_functions<v_cavity> {
     using masking_functions::denominator;

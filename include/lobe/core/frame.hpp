@@ -1,5 +1,5 @@
-// World space to tangent space and back, and what normal maps make necessary: views below the shading horizon, light
-// below the surface.
+// World space to tangent space and back, and what normal maps make necessary: views below the shading horizon,
+// light below the surface.
 #pragma once
 
 #include <lobe/core/vector.hpp>
@@ -57,12 +57,12 @@ constexpr vec3<T> bend_above_horizon(const vec3<T>& v, const T& min_cosine) {
     return select(v.z < min_cosine, bent, v);
 }
 
-/// The share of the light from l that a normal map leaves: 0 where l is below the true surface, whatever the tilted n
-/// sees of it, and a smooth way there. Multiply f_cos, and the weight of a sample, by it; by name, as above: no formula
-/// does it silently.
+/// The share of the light from l that a normal map leaves: 0 where l is below the true surface,
+/// whatever the tilted n sees of it, and a smooth way there. Multiply f_cos, and the weight of a sample, by it;
+/// by name, as above: no formula does it silently.
 ///   G = 2 c/(c + sqrt(c^2 + a^2 s^2)),  c = cos(l, g), s = sin(l, g),  a^2 = min(tan^2(n, g)/8, 1)
-/// Estevez, Lecocq, Stein 2019, "A Microfacet-Based Shadowing Function to Solve the Bump Terminator Problem" (Ray
-/// Tracing Gems, chapter 12): the masking of a GGX as rough as the map is steep.
+/// Estevez, Lecocq, Stein 2019, "A Microfacet-Based Shadowing Function to Solve the Bump Terminator Problem"
+/// (Ray Tracing Gems, chapter 12): the masking of a GGX as rough as the map is steep.
 /// Domain: g, the true normal, and l: unit, in the tangent space of the mapped normal; g.z > 0. g = n gives 1.
 /// Error: 8 ULP.
 template <scalar T>
@@ -72,7 +72,7 @@ constexpr T bump_shadowing(const vec3<T>& g, const vec3<T>& l) {
     const vec3<T> across = cross(g, l);
     const T a2 = smaller((g.x * g.x + g.y * g.y) / (T(8) * g.z * g.z), T(1)), c = larger(dot(g, l), T(0));
     const auto lit = c > T(0);
-    return select(lit, T(2) * c / select(lit, c + sqrt(c * c + a2 * dot(across, across)), T(1)), T(0));
+    return quotient(lit, T(2) * c, c + sqrt(c * c + a2 * dot(across, across)));
 }
 
 }  // namespace lobe

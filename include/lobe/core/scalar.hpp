@@ -25,16 +25,15 @@ concept scalar = !std::integral<T> && requires(const T a, const T b) {
 };
 
 /// `mask ? a : b` as a function: packs bring their own overload, vectors have one in vector.hpp.
-/// Both sides are evaluated, and debug builds that trap NaNs see the one that is not taken as well: no 0/0 there (->
-/// `quotient`).
+/// Both sides are evaluated: debug builds that trap NaNs see the one that is not taken, too. No 0/0 there: `quotient`.
 template <scalar T>
 constexpr T select(bool mask, const T& a, const T& b) {
     return mask ? a : b;
 }
 
-/// a/b where the mask holds, and 0 where it does not: for a b that may be 0 there. Neither 0/0 nor 1/0 is computed, so
-/// debug builds that trap NaNs run through (Clang's need -ffp-exception-behavior=maytrap). Of two selects on one mask
-/// compilers make one: in a loop it costs nothing.
+/// a/b where the mask holds, and 0 where it does not: for a b that may be 0 there. Neither 0/0 nor 1/0 is computed,
+/// so debug builds that trap NaNs run through (Clang's need -ffp-exception-behavior=maytrap).
+/// Compilers make one of two selects on one mask: in a loop it costs an instruction or less (docs/performance.md).
 template <class Mask, scalar T>
 [[gnu::always_inline]] constexpr T quotient(const Mask& mask, const T& a, const T& b) {
     return select(mask, a / select(mask, b, T(1)), T(0));
@@ -164,11 +163,11 @@ struct sincos_result {
 
 /// sin(2 pi u) and cos(2 pi u), u in turns.
 ///
-/// The nearest quarter turn is subtracted, which is exact, and two minimax polynomials cover the rest, |r| <= 1/8:
-/// sin(2 pi r) = r (2 pi + r^2 P(r^2)), cos(2 pi r) = 1 + r^2 Q(r^2). (Remez, relative error below 1e-8 in
+/// The nearest quarter turn is subtracted, which is exact, and two minimax polynomials cover the rest,
+/// |r| <= 1/8: sin(2 pi r) = r (2 pi + r^2 P(r^2)), cos(2 pi r) = 1 + r^2 Q(r^2). (Remez, relative error below 1e-8 in
 /// float, 3e-17 in double, coefficients rounded.) No branch and no libm call, so it vectorises.
 /// Domain: u in [-1/8, 9/8]. Error: at most 2 ULP in float and double. Other scalars call `sin` and `cos` by ADL.
-/// (Inlined by force: every sampler needs it, and a loop with a call does not vectorise.)
+/// (Inlined by force: docs/design.md.)
 template <scalar T>
 [[gnu::always_inline]] constexpr sincos_result<T> sincos_2pi(const T& u) {
     if constexpr (!std::same_as<lane_t<T>, float> && !std::same_as<lane_t<T>, double>) {

@@ -25,21 +25,21 @@ struct component<S> {
 
 }  // namespace detail
 
-/// The number that a spectrum consists of: T for T and for vec3<T>, `value_type` of a type of the user's own, else
-/// double.
+/// The number that a spectrum consists of: T for T and for vec3<T>, `value_type` of a type
+/// of the user's own, else double.
 template <class S>
 using component_t = typename detail::component<S>::type;
 
 namespace detail {
 
-/// May a formula ask a spectrum S for a cosine of type T? Numbers, vectors and types that name their `value_type` want
-/// that type: C++ and GLM would convert any other without a word. A type of the user's own that names none is taken at
-/// its word.
+/// May a formula ask a spectrum S for a cosine of type T? Numbers, vectors and types that name
+/// their `value_type` want that type: C++ and GLM would convert any other silently.
+/// A type of the user's own that names none is trusted.
 template <class T, class S>
 concept component_of = scalar<T> &&
     (std::same_as<T, component_t<S>> || !(scalar<S> || requires { typename S::value_type; }));
 
-// (Inlined by force: a formula of three wavelengths is large, and a loop with a call does not vectorise.)
+// (Inlined by force: docs/design.md.)
 template <class F, scalar T, std::same_as<T>... More>
 [[gnu::always_inline]] constexpr T by_component(const F& f, const T& a, const More&... more) {
     return f(a, more...);
@@ -58,7 +58,7 @@ constexpr bool every(const P& holds, const vec3<T>& a) {
     return all(holds(a.x)) && all(holds(a.y)) && all(holds(a.z));
 }
 
-/// Is every component in [0,1]? A type of the user's own is taken at its word.
+/// Is every component in [0,1]? A type of the user's own is trusted.
 template <class S>
 constexpr bool in_unit_interval(const S& s) {
     if constexpr (requires { every([](const auto& x) { return x >= x; }, s); })

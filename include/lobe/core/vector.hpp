@@ -41,8 +41,8 @@ constexpr vec3<T> normalize(const vec3<T>& a) {
     return {a.x / s, a.y / s, a.z / s};
 }
 
-/// The direction that `v` is mirrored to by a facet with unit normal `m`: 2 (v.m) m - v. Both point away from the
-/// surface.
+/// The direction that `v` is mirrored to by a facet with unit normal `m`: 2 (v.m) m - v.
+/// Both point away from the surface.
 template <scalar T>
 constexpr vec3<T> reflect(const vec3<T>& v, const vec3<T>& m) {
     return T(2) * dot(v, m) * m - v;

@@ -38,7 +38,7 @@ auto directional_albedo(const B& b, const vec3<typename B::scalar>& v, bool mirr
     using S = typename B::spectrum;
     estimate<S, T> total{S(T(0)), T(0), 0};
     for_each_lobe(b, [&](const auto& lobe) {
-        const auto f_cos = [&](const vec3<T>& l) { return lobe.f_cos(v, l); };
+        const auto f_cos = [lobe, v](const vec3<T>& l) { return lobe.f_cos(v, l); };
         const auto part = hemisphere_integral(f_cos, v, lobe.width(), mirrored, options, creases_of(lobe));
         total = {total.value + part.value, total.error + part.error, total.evaluations + part.evaluations};
     });
@@ -97,6 +97,7 @@ auto average_albedo(const B& b, const quadrature& options = {}) {
     int evaluations = 0;
     const auto at_order = [&](int order) {
         const gauss_legendre<W> rule(order);
+        const detail::hemisphere_rule<W> directions(order);
         WS total(W(0));
         detail::for_each_lobe(b, [&](const auto& lobe) {
             const auto creases = detail::creases_of(lobe);
@@ -108,11 +109,9 @@ auto average_albedo(const B& b, const quadrature& options = {}) {
                     const detail::crowded<W> node(rule.x[i], k < creases.size());
                     const W mu = from + range * node.at;
                     const vec3<T> v = detail::view_at(T(mu));
-                    const auto f_cos = [&](const vec3<T>& l) {
-                        ++evaluations;
-                        return lobe.f_cos(v, l);
-                    };
-                    total = total + detail::hemisphere_integral_at(f_cos, v, lobe.width(), true, order, creases) *
+                    const auto f_cos = [lobe, v](const vec3<T>& l) { return lobe.f_cos(v, l); };
+                    total = total + detail::hemisphere_integral_at(f_cos, v, lobe.width(), true, directions, creases,
+                                                                   &evaluations) *
                                         (W(2) * rule.w[i] * range * node.slope * mu);
                 }
             }

@@ -13,7 +13,7 @@ struct default_dfg {
     static constexpr bool describes = detail::is_smith_ggx<N, Masking>;
 
     template <scalar T>
-    dfg_terms<T> operator()(const T& cosine, const alpha<T>& a) const {
+    [[gnu::always_inline]] dfg_terms<T> operator()(const T& cosine, const alpha<T>& a) const {
         return parts().terms(cosine, a);
     }
     template <scalar T>
@@ -23,10 +23,7 @@ struct default_dfg {
 
 private:
     static detail::dfg_grids<float> parts() {
-        return {{detail::default_dfg_albedo, 32},
-                {detail::default_dfg_scale, 32},
-                {detail::default_dfg_lost, 64},
-                {detail::default_dfg_bias, 64}};
+        return {{detail::default_dfg_missing, 32}, {detail::default_dfg_averages, 64}};
     }
 };
 

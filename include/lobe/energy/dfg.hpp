@@ -70,6 +70,27 @@ constexpr dfg_terms<T> dfg_average(const Provider& terms, const alpha<T>& a) {
 
 }  // namespace detail
 
+namespace detail {
+
+/// What the quadrature integrates: scale and bias of a lobe seen from v.
+template <class N, class Masking, class T = typename N::scalar>
+struct split_sum {
+    microfacet<N, Masking, schlick_terms> lobe;
+    vec3<T> v;
+
+    split_sum(const N& ndf, const Masking& masking_model, const vec3<T>& view)
+        : lobe(ndf, masking_model, schlick_terms{}), v(view) {}
+
+    vec2<T> operator()(const vec3<T>& l) const { return lobe.f_cos(v, l); }
+
+    dfg_terms<T> at(const hemisphere_rule<T>& rule) const {
+        const vec2<T> terms = hemisphere_integral_at(*this, v, lobe.width(), N::isotropic, rule);
+        return {terms.x, terms.y};
+    }
+};
+
+}  // namespace detail
+
 /// The split-sum terms by quadrature, of isotropic GGX or of the normals that `of_width` makes of an `alpha`.
 /// Domain: mu = cos(theta_v) in (0,1], alpha mu >= 1e-13 (alpha from 1e-10 for mu from 1e-3): there within 4e-6 of the
 /// limit alpha = 0; below, the rounding of l in double is too much for D, and soon makes a NaN. Computed in double for
@@ -80,12 +101,13 @@ dfg_terms<T> dfg_exact(const Masking& masking_model, const T& mu, const alpha<T>
                        const OfWidth& of_width = {}) {
     using W = detail::wide_t<T>;
     assert(mu > T(0) && mu <= T(1) && "dfg_exact: the cosine must be in (0,1]");
-    const microfacet lobe{of_width(alpha<W>(W(a.value()))), masking_model, detail::schlick_terms{}};
-    const vec3<W> v = detail::view_at(W(mu));
-    const auto f_cos = [&](const vec3<W>& l) { return lobe.f_cos(v, l); };
-    const vec2<W> terms = options.order ? detail::hemisphere_integral_at(f_cos, v, lobe.width(), true, options.order)
-                                        : hemisphere_integral(f_cos, v, lobe.width(), true, options).value;
-    return {T(terms.x), T(terms.y)};
+    const detail::split_sum terms(of_width(alpha<W>(W(a.value()))), masking_model, detail::view_at(W(mu)));
+    if (options.order) {
+        const dfg_terms<W> t = terms.at(options.order);
+        return {T(t.scale), T(t.bias)};
+    }
+    const vec2<W> t = hemisphere_integral(terms, terms.v, terms.lobe.width(), true, options).value;
+    return {T(t.x), T(t.y)};
 }
 
 /// `dfg_exact` as a provider: for tests and references. Scalar types only.

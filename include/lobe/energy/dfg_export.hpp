@@ -1,11 +1,11 @@
-// The split-sum terms as a texture: every convention by name. (Not in lobe.hpp: GLM's packing takes time to compile.)
+// The split-sum terms as a texture: every convention by name.
 #pragma once
 
 #include <lobe/energy/dfg.hpp>
 
-#include <glm/gtc/packing.hpp>
-
+#include <bit>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -41,7 +41,7 @@ std::vector<vec2<float>> dfg_texels(const Masking& masking, const dfg_layout& la
     const auto place = [&](int i, int n) {
         return layout.samples == dfg_layout::samples::nodes ? double(i) / double(n - 1) : (double(i) + 0.5) / double(n);
     };
-    const int order = std::same_as<OfWidth, ggx_of_width> ? 16 : 32;
+    const detail::hemisphere_rule<double> rule(std::same_as<OfWidth, ggx_of_width> ? 16 : 32);
     std::vector<vec2<float>> texels;
     for (int j = 0; j < layout.height; ++j) {
         const bool rough_first = layout.first_row == dfg_layout::first_row::rough;
@@ -50,7 +50,7 @@ std::vector<vec2<float>> dfg_texels(const Masking& masking, const dfg_layout& la
         const alpha<double> width(larger(a, 1e-4));  // house: a row of a table, alpha = 0 to the eye
         for (int i = 0; i < layout.width; ++i) {
             const double mu = larger(place(i, layout.width), width.value() * 1e-6);  // house: a column, mu = 0
-            const dfg_terms<double> t = dfg_exact(masking, mu, width, {.order = order}, of_width);
+            const dfg_terms<double> t = detail::split_sum(of_width(width), masking, detail::view_at(mu)).at(rule);
             texels.push_back(layout.channels == dfg_layout::channels::scale_bias ? vec2<float>(t.scale, t.bias)
                                                                                  : vec2<float>(t.bias, t.albedo()));
         }
@@ -58,18 +58,36 @@ std::vector<vec2<float>> dfg_texels(const Masking& masking, const dfg_layout& la
     return texels;
 }
 
-/// Texels as RG16F: two numbers of 16 bits a texel, to half a step, 2.4e-4 of the value at most.
-inline std::vector<std::uint16_t> rg16f(const std::vector<vec2<float>>& texels) {
+namespace detail {
+
+/// The half nearest to x, ties to even, as bits; x in [0,1].
+constexpr std::uint16_t half_bits(float x) {
+    // halves below 2^-14 are multiples of 2^-24, as floats from 1/2 on are, so that the sum rounds as they do
+    if (x < 0x1p-14f) return static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(x + 0.5f) - 0x3f000000u);
+    const auto bits = std::bit_cast<std::uint32_t>(x);  // exponent - 127, then 23 bits: a half's are 15 and 10
+    return static_cast<std::uint16_t>(((bits + 0xfffu + ((bits >> 13) & 1u)) >> 13) - ((127u - 15u) << 10));
+}
+
+/// Two integers of 16 bits a texel. The quadrature may end above 1.
+template <class ToBits>
+std::vector<std::uint16_t> in_16_bits(const std::vector<vec2<float>>& texels, const ToBits& to_bits) {
     std::vector<std::uint16_t> bits;
-    for (const vec2<float>& t : texels) bits.insert(bits.end(), {glm::packHalf1x16(t.x), glm::packHalf1x16(t.y)});
+    for (const vec2<float>& t : texels)
+        for (const float x : {t.x, t.y}) bits.push_back(to_bits(smaller(x, 1.0f)));
     return bits;
 }
 
-/// Texels as RG16 unorm: x is read as bits/65535; to 7.7e-6.
+}  // namespace detail
+
+/// Texels as RG16F, two halves each, rounded to nearest, ties to even: to 2.5e-4.
+inline std::vector<std::uint16_t> rg16f(const std::vector<vec2<float>>& texels) {
+    return detail::in_16_bits(texels, detail::half_bits);
+}
+
+/// Texels as RG16 unorm, where x is read as bits/65535, rounded to nearest: to 7.7e-6.
 inline std::vector<std::uint16_t> rg16_unorm(const std::vector<vec2<float>>& texels) {
-    std::vector<std::uint16_t> bits;
-    for (const vec2<float>& t : texels) bits.insert(bits.end(), {glm::packUnorm1x16(t.x), glm::packUnorm1x16(t.y)});
-    return bits;
+    return detail::in_16_bits(texels,
+                              [](float x) { return static_cast<std::uint16_t>(std::lround(double(x) * 65535)); });
 }
 
 }  // namespace lobe

@@ -11,23 +11,23 @@ namespace lobe {
 
 namespace detail {
 
-/// Node-centred samples of [0,1] or of its square, row by row, read linearly. Coordinates outside are taken to the
-/// edge.
+/// Pairs of numbers at the nodes of [0,1] or of its square, row by row, read linearly. Coordinates outside are taken to
+/// the edge. (By an index, not by pointers that move: so a loop of look-ups becomes one of gathers.)
 template <class N>
 struct node_grid {
     const N* values;
     int nodes;  // along each axis
 
     template <scalar T>
-    T operator()(const T& x) const {
+    [[gnu::always_inline]] vec2<T> operator()(const T& x) const {
         const axis<T> at(x, nodes);
-        return at.between(values);
+        return between(at.node, at);
     }
     template <scalar T>
-    T operator()(const T& x, const T& y) const {
+    [[gnu::always_inline]] vec2<T> operator()(const T& x, const T& y) const {
         const axis<T> column(x, nodes), row(y, nodes);
-        const N* low = values + row.node * nodes;
-        return row.mixed(column.between(low), column.between(low + nodes));
+        const int low = row.node * nodes + column.node;
+        return row.mixed(between(low, column), between(low + nodes, column));
     }
 
 private:
@@ -40,20 +40,24 @@ private:
             node = (std::min)(static_cast<int>(position), n - 2);
             t = position - T(node);
         }
-        T mixed(const T& a, const T& b) const { return a * (T(1) - t) + b * t; }
-        T between(const N* row) const { return mixed(T(row[node]), T(row[node + 1])); }
+        vec2<T> mixed(const vec2<T>& a, const vec2<T>& b) const { return a * (T(1) - t) + b * t; }
     };
+
+    template <class T>
+    vec2<T> between(int node, const axis<T>& at) const {
+        const int i = 2 * node;
+        return at.mixed({T(values[i]), T(values[i + 1])}, {T(values[i + 2]), T(values[i + 3])});
+    }
 };
 
 /// Where a table keeps what. Rows: y = sqrt(roughness) from 0.03 on; below, the first row holds, with its columns at
-/// mu/alpha. Columns of E: its structure lies in mu/alpha at grazing and in mu elsewhere, x = q (1 + k r)/(q + k r), q
-/// = sqrt(mu), r = roughness, which tends to a function of mu/alpha where both are small. Columns of the scale: the
-/// fourth root of mu.
+/// mu/alpha. Columns: the structure lies in mu/alpha at grazing and in mu elsewhere, x = q (1 + k r)/(q + k r), q =
+/// sqrt(mu), r = roughness, which tends to a function of mu/alpha where both are small.
 template <scalar T>
 struct dfg_axes {
-    static constexpr T k = T(1.5), first = T(0.17320508);
+    static constexpr T k = T(3), first = T(0.17320508);
 
-    static T row(const T& y) { return (y - first) / (T(1) - first); }
+    static T row(const T& y) { return (y - first) * (T(1) / (T(1) - first)); }
     static T roughness(const T& row) {
         const T y = first + (T(1) - first) * row;
         return y * y;
@@ -78,40 +82,45 @@ constexpr T lost_on_average(const T& r) {
            (T(1) + (k(131.89117) + (k(519.71826) + (k(-542.23383) + k(539.40222) * r) * r) * r) * r);
 }
 
-/// What a table consists of: what the medium fit lacks of E and of the scale, 1 - E_avg over `lost_on_average`, and the
-/// average bias.
+/// What a table consists of: (E, scale), what the medium fit lacks of them; averages, (1 - E_avg)/`lost_on_average` and
+/// the bias.
 template <class N>
 struct dfg_grids {
-    node_grid<N> albedo, scale, lost, bias;
+    node_grid<N> missing, averages;
 
     template <scalar T>
-    dfg_terms<T> terms(const T& cosine, const alpha<T>& width) const {
+    [[gnu::always_inline]] dfg_terms<T> terms(const T& cosine, const alpha<T>& width) const {
         using std::sqrt;
-        const T mu = smaller(larger(T(0), cosine), T(1));   // in this order, which takes a NaN to 0
-        const alpha<T> a(larger(width.value(), T(1e-8f)));  // house: below it the fit underflows in float
-        const T r = sqrt(a.value()), row = dfg_axes<T>::row(sqrt(r));
+        const T mu = smaller(larger(T(0), cosine), T(1));  // in this order, which takes a NaN to 0
+        const alpha<T> a = inside(width);
+        const T r = sqrt(a.value());
         const dfg_terms<T> fit = dfg_fit_medium{}(mu, a);
-        const T E = smaller(fit.albedo() + albedo(dfg_axes<T>::column(mu, r), row), T(1));
-        const T A = smaller(larger(fit.scale + scale(sqrt(sqrt(mu)), row), T(0)), E);
+        const vec2<T> more = missing(dfg_axes<T>::column(mu, r), dfg_axes<T>::row(sqrt(r)));
+        const T E = smaller(fit.albedo() + more.x, T(1)), A = smaller(larger(fit.scale + more.y, T(0)), E);
         return {A, E - A};
     }
     template <scalar T>
-    dfg_terms<T> average(const alpha<T>& a) const {
+    dfg_terms<T> average(const alpha<T>& width) const {
         using std::sqrt;
-        const T r = sqrt(a.value()), row = dfg_axes<T>::row(sqrt(r));
-        const T B = bias(row);
-        return {T(1) - lost_on_average(r) * lost(row) - B, B};
+        const T r = sqrt(inside(width).value());
+        const vec2<T> at = averages(dfg_axes<T>::row(sqrt(r)));
+        return {T(1) - lost_on_average(r) * at.x - at.y, at.y};
+    }
+
+private:
+    template <scalar T>
+    static alpha<T> inside(const alpha<T>& width) {
+        return alpha<T>(smaller(larger(width.value(), T(1e-8f)), T(1)));  // house: below it the fit underflows in float
     }
 };
 
 }  // namespace detail
 
-/// scale and bias, read from node-centred tables of what `dfg_fit_medium` lacks; the type remembers the masking and the
-/// normals that it was baked for.
+/// scale and bias, read from a node-centred table of what `dfg_fit_medium` lacks; the type remembers what normals and
+/// masking it was baked for.
 /// Domain: cosine = cos(theta_v) in [0,1], alpha in (0,1]; beyond it the edge answers. Scalar types only.
-/// Error against `dfg_exact`, 32 x 32, mu in [0.001,1], roughness in [0.03,1]: E 4e-4,
-/// scale and bias 5e-4, rms 5e-5 and 7e-5 (16 x 16: 1.4e-3, 1.7e-3; 64 x 64: 1.1e-4, 1.3e-4); separable masking the
-/// same; Beckmann 3e-3. scale, bias >= 0, E <= 1.
+/// Error against `dfg_exact`, 32 x 32, mu in [0.001,1], roughness in [0.03,1]: E, scale, bias 4e-4, rms 5e-5, 5e-5,
+/// 3e-5 (16 x 16: 1.5e-3; 64 x 64: 1e-4); separable masking 6e-4; Beckmann 2.5e-3. scale, bias >= 0, E <= 1.
 template <scalar T, class Masking, class OfWidth = ggx_of_width>
 class dfg_table {
 public:
@@ -119,35 +128,32 @@ public:
     static constexpr bool describes = std::same_as<M, Masking>&&
         std::same_as<N, std::decay_t<std::invoke_result_t<OfWidth, alpha<typename N::scalar>>>>;
 
-    dfg_terms<T> operator()(const T& cosine, const alpha<T>& a) const { return parts().terms(cosine, a); }
+    [[gnu::always_inline]] dfg_terms<T> operator()(const T& cosine, const alpha<T>& a) const {
+        return parts().terms(cosine, a);
+    }
 
     /// Error: 1e-5 of the averages of what the table says.
     dfg_terms<T> average(const alpha<T>& a) const { return parts().average(a); }
 
     /// What it consists of, to embed it as `default_dfg` is.
-    detail::dfg_grids<T> parts() const {
-        const T *square = squares.data(), *line = averages.data();
-        return {{square, nodes}, {square + nodes * nodes, nodes}, {line, 2 * nodes}, {line + 2 * nodes, 2 * nodes}};
-    }
+    detail::dfg_grids<T> parts() const { return {{square.data(), nodes}, {line.data(), 2 * nodes}}; }
 
 private:
-    explicit dfg_table(int nodes_along_an_axis)
-        : nodes(nodes_along_an_axis), squares(static_cast<std::size_t>(2 * nodes * nodes)),
-          averages(static_cast<std::size_t>(4 * nodes)) {}
+    explicit dfg_table(int nodes_along_an_axis) : nodes(nodes_along_an_axis) {}
 
     template <scalar U, class M, class O>
     friend dfg_table<U, M, O> bake_dfg(const M&, const struct dfg_table_options&, const O&);
 
     int nodes;
-    std::vector<T> squares, averages;  // E and the scale; 1 - E_avg and the bias
+    std::vector<T> square, line;
 };
 
 struct dfg_table_options {
     int size = 32;  // nodes along each axis, at least 2
-    int order = 0;  // of the quadrature: 2 order^2 evaluations a node and term. 0: 16 for GGX, 32 for others, to 1e-5
+    int order = 0;  // of the quadrature: 2 order^2 evaluations a node. 0: 16 for GGX, to 1e-5 (12: 6e-5); 32 for others
 };
 
-/// Bakes a `dfg_table`: 2 size^2 albedos, a fiftieth of a second at 32 x 32. Build once, not per pixel. Of GGX, or of
+/// Bakes a `dfg_table`: size^2 albedos, a hundredth of a second at 32 x 32. Build once, not per pixel. Of GGX, or of
 /// the normals that `of_width` makes of an `alpha`: `bake_dfg<float>(smith_correlated{}, {}, [](auto a) { return
 /// lobe::beckmann{a}; })`. The nodes at mu = 0 hold the limit: E there is a function of mu/alpha alone.
 template <scalar T, class Masking, class OfWidth = ggx_of_width>
@@ -159,31 +165,25 @@ dfg_table<T, Masking, OfWidth> bake_dfg(const Masking& masking_model, const dfg_
            "bake_dfg: size and order must be at least 2");
     const int n = options.size;
     const int order = options.order ? options.order : std::same_as<OfWidth, ggx_of_width> ? 16 : 32;
-    const auto missing = [&](const W& mu, const W& r) {  // by the fit
-        const alpha<W> a(r * r);
-        const W grazing = a.value() * W(1e-6);  // house: a point of the table, mu = 0 to the eye of E
-        const W c = smaller(larger(mu, grazing), W(1));
-        const dfg_terms<W> exact = dfg_exact(masking_model, c, a, {.order = order}, of_width);
-        const dfg_terms<W> fit = dfg_fit_medium{}(c, a);
-        return dfg_terms<W>{exact.scale - fit.scale, exact.bias - fit.bias};
-    };
+    const detail::hemisphere_rule<W> rule(order);
     dfg_table<T, Masking, OfWidth> table(n);
-    T *albedo = table.squares.data(), *scale = albedo + n * n;
     for (int row = 0; row < n; ++row) {
         const W r = axes::roughness(W(row) / W(n - 1));
+        const alpha<W> a(r * r);
         for (int column = 0; column < n; ++column) {
-            const W x = W(column) / W(n - 1), x2 = x * x;
-            *albedo++ = T(missing(axes::mu(x, r), r).albedo());
-            *scale++ = T(missing(x2 * x2, r).scale);
+            const W grazing = a.value() * W(1e-6);  // house: a point of the table, mu = 0 to the eye of E
+            const W mu = smaller(larger(axes::mu(W(column) / W(n - 1), r), grazing), W(1));
+            const dfg_terms<W> exact = detail::split_sum(of_width(a), masking_model, detail::view_at(mu)).at(rule);
+            const dfg_terms<W> fit = dfg_fit_medium{}(mu, a);
+            table.square.insert(table.square.end(), {T(exact.albedo() - fit.albedo()), T(exact.scale - fit.scale)});
         }
     }
-    T *lost = table.averages.data(), *bias = lost + 2 * n;
     for (int row = 0; row < 2 * n; ++row) {
         const W r = axes::roughness(W(row) / W(2 * n - 1));
         const auto own = [&](const W& mu, const alpha<W>& a) { return table.parts().terms(mu, a); };
         const dfg_terms<W> average = detail::dfg_average(own, alpha<W>(r * r));
-        *lost++ = T((W(1) - average.albedo()) / detail::lost_on_average(r));
-        *bias++ = T(average.bias);
+        table.line.insert(table.line.end(),
+                          {T((W(1) - average.albedo()) / detail::lost_on_average(r)), T(average.bias)});
     }
     return table;
 }

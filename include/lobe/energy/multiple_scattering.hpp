@@ -17,11 +17,11 @@ struct ibl_weights {
 
 namespace detail {
 
-/// Weights of an interface over a diffuse base: what the interface leaves is reflected as the albedo says.
+/// Weights of a specular lobe over a diffuse base: what it leaves is reflected as the albedo says.
 template <class S>
-constexpr ibl_weights<S> over_a_base(const ibl_weights<S>& interface, const S& albedo) {
-    const S left = S(component_t<S>(1)) - interface.radiance - interface.irradiance;
-    return {interface.radiance, interface.irradiance + albedo * left};
+constexpr ibl_weights<S> over_a_base(const ibl_weights<S>& specular, const S& albedo) {
+    const S left = S(component_t<S>(1)) - specular.radiance - specular.irradiance;
+    return {specular.radiance, specular.irradiance + albedo * left};
 }
 
 }  // namespace detail

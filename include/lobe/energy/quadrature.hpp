@@ -10,6 +10,7 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace lobe {
@@ -154,6 +155,107 @@ void add_slopes(std::vector<W>& slopes, const W& c, const W& vz, const W& p, con
         if (r > W(0) && r < r_max) slopes.push_back(r);
 }
 
+/// The nodes of `hemisphere_integral_at` at an order, made once for any number of views.
+template <class W>
+struct hemisphere_rule {
+    struct azimuth {
+        W sine, cosine, weight;
+    };
+    /// Of each node: how far it is from the end of the ray, and its weight, both for a ray of length 1.
+    struct ray {
+        std::vector<W> back, weight;
+    };
+
+    gauss_legendre<W> rule;
+    std::vector<azimuth> quarter;  // of the circle, from where the horizon bends
+    ray whole, cut;                // cut: from a crease on
+
+    hemisphere_rule(int order) : rule(order), quarter(azimuths(W(0), pi<W>() / W(2), false)) {
+        for (std::size_t j = 0; j < rule.x.size(); ++j) {
+            const W x = rule.x[j], y = W(1) - x, y3 = y * y * y, weight = W(8) * rule.w[j] * y3;
+            whole.back.push_back(y * y3);
+            whole.weight.push_back(weight);
+            cut.back.push_back(y * y3 * (W(5) - W(4) * y));
+            cut.weight.push_back(weight * W(5) * x);
+        }
+    }
+
+    /// Of a piece of a quarter; `goes_on`: it ends at a crease.
+    std::vector<azimuth> azimuths(const W& from, const W& to, bool goes_on) const {
+        using std::cos, std::sin;
+        std::vector<azimuth> nodes;
+        for (std::size_t i = 0; i < rule.x.size(); ++i) {
+            const crowded<W> node(rule.x[i], goes_on);
+            const W delta = from + (to - from) * node.at;
+            nodes.push_back({sin(delta), cos(delta), rule.w[i] * (to - from) * node.slope});
+        }
+        return nodes;
+    }
+};
+
+/// A sum for each node of a ray, so that the loop over the nodes vectorises; of vectors component by component, because
+/// g++ does not otherwise.
+template <class S>
+class node_sums {
+    std::vector<S> sums;
+
+public:
+    node_sums(std::size_t nodes, const S& zero) : sums(nodes, zero) {}
+    auto adder() {
+        return [sum = sums.data()](std::size_t j, const S& g) { sum[j] = sum[j] + g; };
+    }
+    S total() const {
+        S all = sums[0];
+        for (std::size_t j = 1; j < sums.size(); ++j) all = all + sums[j];
+        return all;
+    }
+};
+template <int N, scalar W>
+class node_sums<glm::vec<N, W, glm::defaultp>> {
+    using S = glm::vec<N, W, glm::defaultp>;
+    std::array<std::vector<W>, std::size_t{N}> sums;
+
+public:
+    node_sums(std::size_t nodes, const S& zero) { sums.fill(std::vector<W>(nodes, zero.x)); }
+    auto adder() {
+        std::array<W*, std::size_t{N}> sum;
+        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] = sums[c].data();
+        return [sum](std::size_t j, const S& g) {
+            for (int c = 0; c < N; ++c) sum[static_cast<std::size_t>(c)][j] += g[c];
+        };
+    }
+    S total() const {
+        S all(W(0));
+        for (int c = 0; c < N; ++c)
+            for (const W& sum : sums[static_cast<std::size_t>(c)]) all[c] += sum;
+        return all;
+    }
+};
+
+/// Adds g along a ray of slopes r (dx, dy), from t = from to t = to, each node to a sum of its own: a loop that
+/// vectorises where g does.
+template <class T, class G, class S, class W>
+void add_along(const typename hemisphere_rule<W>::ray& nodes, const W from, const W to, const W dx, const W dy,
+               const vec3<W> v, const W ray_weight, const G& integrand, node_sums<S>& sums) {
+    // a copy, which no store to the sums can change, unless there is a table in it
+    constexpr bool by_value = std::is_trivially_copyable_v<G> && sizeof(G) <= 256;
+    const std::conditional_t<by_value, const G, const G&> g = integrand;
+    const W *back = nodes.back.data(), *weights = nodes.weight.data();
+    const auto add = sums.adder();
+    const W length = to - from, d2 = dx * dx + dy * dy, e = dx * v.x + dy * v.y, weight = ray_weight * length;
+    const std::size_t count = nodes.back.size();
+    for (std::size_t j = 0; j < count; ++j) {
+        // c, s: cosine and sine of chi, times 1 + t^2
+        const W t = to - length * back[j], c = (W(1) - t) * (W(1) + t), s = W(2) * t;
+        const W q = W(1) / (c * c + d2 * s * s);          // m = (-s dx, -s dy, c) sqrt(q)
+        const W a = v.z * c - s * e;                      // v.m / sqrt(q)
+        const W v_m_dm = a * s * (W(1) + t * t) * q * q;  // (v.m) dm, less factors that the caller has
+        const W k = W(2) * a * q;
+        const vec3<T> l(T(-k * s * dx - v.x), T(-k * s * dy - v.y), T(k * c - v.z));
+        add(j, S(g(l)) * (v_m_dm * weights[j] * weight));
+    }
+}
+
 /// int g(l) dl over the hemisphere, at one order. l = reflect(v, m), dl = 4 (v.m) dm, and m runs over slopes r (wx cos
 /// phi, wy sin phi), with r = tan(chi) and t = tan(chi/2) the variable, out to where l meets the horizon. In the polar
 /// coordinates of slopes that is a circle, so the limit is exact:
@@ -167,69 +269,52 @@ void add_slopes(std::vector<W>& slopes, const W& c, const W& vz, const W& p, con
 /// so that each piece is smooth: the slopes along a ray where
 ///   v.m = c:  (p^2 - c^2 |d|^2) r^2 - 2 v.z p r + q = 0,  p = d.(v.x, v.y),  q = v.z^2 - c^2,
 /// with nodes that crowd like the root on both sides of a cut; the azimuths where a ray touches that circle, and those
-/// where it meets the horizon.
+/// where it meets the horizon. `evaluations`: how many are added to it.
 template <class T, class G>
-auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, bool mirrored, int order,
-                            const std::vector<wide_t<T>>& creases = {}) {
+auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, bool mirrored,
+                            const hemisphere_rule<wide_t<T>>& rule, const std::vector<wide_t<T>>& creases = {},
+                            int* evaluations = nullptr) {
     using W = wide_t<T>;
     using S = wide_t<decltype(g(v))>;
-    using std::cos, std::sin, std::sqrt;
+    using std::sqrt;
 
-    const gauss_legendre<W> rule(order);
-    const W wx = W(width.x), wy = W(width.y), vx = W(v.x), vy = W(v.y), vz = W(v.z);
-    const W bx = wx * vx / vz, by = wy * vy / vz, b_max = sqrt(bx * bx + by * by);
+    const vec3<W> view(W(v.x), W(v.y), W(v.z));
+    const W wx = W(width.x), wy = W(width.y);
+    const W bx = wx * view.x / view.z, by = wy * view.y / view.z, b_max = sqrt(bx * bx + by * by);
     // azimuth of v, stretched
     const W toward_x = b_max > W(0) ? bx / b_max : W(1), toward_y = b_max > W(0) ? by / b_max : W(0);
-    const auto azimuths = azimuths_of(creases, vec3<W>{vx, vy, vz}, vec2<W>{wx, wy}, vec2<W>{toward_x, toward_y});
 
-    struct ring_node {
-        W back, weight;  // what is left of the ring beyond the node, of 1
-    };
-    std::vector<ring_node> first, later;
-    for (std::size_t j = 0; j < rule.x.size(); ++j) {
-        const W x = rule.x[j], y = W(1) - x, y3 = y * y * y, weight = W(8) * rule.w[j] * y3;
-        first.push_back({y * y3, weight});
-        later.push_back({y * y3 * (W(5) - W(4) * y), weight * W(5) * x});
-    }
-
-    S total(W(0));
+    node_sums<S> sums(rule.quarter.size(), S(W(0)));
     std::vector<W> slopes;
-    for (int quarter = 0; quarter < (mirrored ? 2 : 4); ++quarter) {
-        const auto& deltas = azimuths[static_cast<std::size_t>(quarter)];
-        for (std::size_t k = 0; k < deltas.size() - 1; ++k) {
-            for (int i = 0; i < order; ++i) {
-                const W range = deltas[k + 1] - deltas[k];
-                const crowded<W> node(rule.x[static_cast<std::size_t>(i)], k + 2 < deltas.size());
-                const W delta = deltas[k] + range * node.at,
-                        d_phi = rule.w[static_cast<std::size_t>(i)] * range * node.slope;
-                const W cosine = quarter % 2 ? -sin(delta) : sin(delta), sine = quarter / 2 ? -cos(delta) : cos(delta);
-                const W dx = wx * (cosine * toward_x - sine * toward_y),
-                        dy = wy * (cosine * toward_y + sine * toward_x);
-                const W d2 = dx * dx + dy * dy, b = b_max * cosine, root = sqrt(b * b + d2);
-                const W r_max = b > W(0) ? W(1) / (b + root) : (root - b) / d2;
-                slopes.clear();
-                for (const W& c : creases) add_slopes(slopes, c, vz, vz * b, d2, r_max);
-                std::sort(slopes.begin(), slopes.end());
-                slopes.push_back(r_max);
-                W from(0);
-                for (const W& slope : slopes) {
-                    const W to = slope / (W(1) + sqrt(W(1) + slope * slope));
-                    for (const ring_node& at : from > W(0) ? later : first) {
-                        // c, s: cosine and sine of chi, times 1 + t^2
-                        const W t = to - (to - from) * at.back, c = (W(1) - t) * (W(1) + t), s = W(2) * t;
-                        const W q = W(1) / (c * c + d2 * s * s);          // m = (-s dx, -s dy, c) sqrt(q)
-                        const W a = vz * c - s * (dx * vx + dy * vy);     // v.m / sqrt(q)
-                        const W v_m_dm = a * s * (W(1) + t * t) * q * q;  // (v.m) dm, less factors below
-                        const vec3<T> l(T(-W(2) * a * q * s * dx - vx), T(-W(2) * a * q * s * dy - vy),
-                                        T(W(2) * a * q * c - vz));
-                        total = total + S(g(l)) * (v_m_dm * at.weight * (to - from) * d_phi);
-                    }
-                    from = to;
-                }
+    const auto add_rays = [&](const std::vector<typename hemisphere_rule<W>::azimuth>& azimuths, int quarter) {
+        for (const auto& at : azimuths) {
+            const W cosine = quarter % 2 ? -at.sine : at.sine, sine = quarter / 2 ? -at.cosine : at.cosine;
+            const W dx = wx * (cosine * toward_x - sine * toward_y), dy = wy * (cosine * toward_y + sine * toward_x);
+            const W d2 = dx * dx + dy * dy, b = b_max * cosine, root = sqrt(b * b + d2);
+            const W r_max = b > W(0) ? W(1) / (b + root) : (root - b) / d2;
+            slopes.clear();
+            for (const W& c : creases) add_slopes(slopes, c, view.z, view.z * b, d2, r_max);
+            std::sort(slopes.begin(), slopes.end());
+            slopes.push_back(r_max);
+            W from(0);
+            for (const W& slope : slopes) {
+                const W to = slope / (W(1) + sqrt(W(1) + slope * slope));
+                add_along<T>(from > W(0) ? rule.cut : rule.whole, from, to, dx, dy, view, at.weight, g, sums);
+                from = to;
             }
+            if (evaluations) *evaluations += static_cast<int>(slopes.size() * azimuths.size());
         }
+    };
+    const auto cuts = azimuths_of(creases, view, vec2<W>{wx, wy}, vec2<W>{toward_x, toward_y});
+    for (int quarter = 0; quarter < (mirrored ? 2 : 4); ++quarter) {
+        const auto& deltas = cuts[static_cast<std::size_t>(quarter)];
+        if (deltas.size() == 2)
+            add_rays(rule.quarter, quarter);
+        else
+            for (std::size_t k = 0; k < deltas.size() - 1; ++k)
+                add_rays(rule.azimuths(deltas[k], deltas[k + 1], k + 2 < deltas.size()), quarter);
     }
-    return total * (W(mirrored ? 8 : 4) * wx * wy);
+    return sums.total() * (W(mirrored ? 8 : 4) * wx * wy);
 }
 
 }  // namespace detail
@@ -248,11 +333,7 @@ auto hemisphere_integral(const G& g, const vec3<T>& v, const vec2<T>& width, boo
     assert((options.order == 0 || options.order >= 2) && "hemisphere_integral: order must be at least 2, or 0");
     int evaluations = 0;
     const auto at_order = [&](int order) {
-        const auto counted = [&](const vec3<T>& l) {
-            ++evaluations;
-            return g(l);
-        };
-        return detail::hemisphere_integral_at(counted, v, width, mirrored, order, creases);
+        return detail::hemisphere_integral_at(g, v, width, mirrored, order, creases, &evaluations);
     };
     const auto result = detail::converge<W>(at_order, options, 192);
     const W rounded = detail::rounding<T>(result.value, W(smaller(width.x, width.y)) * W(v.z), result.order);

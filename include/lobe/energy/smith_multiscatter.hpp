@@ -19,26 +19,39 @@ concept knows_both_ends = requires(const F fresnel) {
 
 /// A Fresnel reflectance as F0 + (F90 - F0) (1 - u)^5 - dip u (1 - u)^6: right at 0, 82 and 90 degrees.
 template <class F, scalar T>
-struct fresnel_ends {
+class fresnel_ends {
+public:
     using S = std::decay_t<std::invoke_result_t<const F&, const T&>>;
     static constexpr bool dips = true;
 
     // at u = 1/7: (6/7)^5, and the largest of u (1 - u)^6
     constexpr explicit fresnel_ends(const F& fresnel)
-        : f0(fresnel(T(1))), f90(fresnel(T(0))),
-          dip((f0 + (f90 - f0) * (T(7776) / T(16807)) - fresnel(T(1) / T(7))) * (T(823543) / T(46656))) {}
-    constexpr S F0() const { return f0; }
-    constexpr S F90() const { return f90; }
+        : along_normal(fresnel(T(1))), grazing(fresnel(T(0))),
+          dip((along_normal + (grazing - along_normal) * (T(7776) / T(16807)) - fresnel(T(1) / T(7))) *
+              (T(823543) / T(46656))) {}
+    constexpr S F0() const { return along_normal; }
+    constexpr S F90() const { return grazing; }
 
-    S f0, f90, dip;
+private:
+    S along_normal, grazing;
+
+public:
+    S dip;
 };
 /// Schlick's is its ends.
 template <class F, scalar T>
     requires knows_both_ends<F>
-struct fresnel_ends<F, T> : F {
+class fresnel_ends<F, T> {
+public:
     using S = std::decay_t<std::invoke_result_t<const F&, const T&>>;
     static constexpr bool dips = false;
-    constexpr explicit fresnel_ends(const F& fresnel) : F(fresnel) {}
+
+    constexpr explicit fresnel_ends(const F& fresnel) : ends(fresnel) {}
+    constexpr S F0() const { return ends.F0(); }
+    constexpr S F90() const { return ends.F90(); }
+
+private:
+    F ends;
 };
 
 /// The energy that `smith_multiscatter` describes, for one Fresnel reflectance and one width.

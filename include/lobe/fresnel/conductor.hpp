@@ -15,10 +15,10 @@ namespace lobe {
 /// computed and the smaller is (eta k)^2 over it; a - c is (a^2 - c^2)/(a + c). So nothing cancels, and k = 0 is
 /// `dielectric`. eta, k relative to the medium outside (under a coat of index n: eta/n, k/n); one number each, or vec3
 /// for three wavelengths.
-/// Domain: eta in [0.001, 1e9], k in [0, 1e9] (fourth powers have to fit; a perfect mirror is `perfect_reflector`); c
-/// in [0,1].
-/// Error: metals (k >= 0.5, eta in [0.3,10]) 9 ULP, weaker absorbers 12 for eta in [1,10]. For eta < 1 and k near 0 the
-/// critical angle of `dielectric` shows: 14 ULP at k = 0.1, 80 at 0.01, 300 at 0.001, and at k = 0 as there.
+/// Domain: eta in [0.001, 1e9], k in [0, 1e9] (fourth powers have to fit;
+/// a perfect mirror is `perfect_reflector`); c in [0,1].
+/// Error: metals (k >= 0.5, eta in [0.3,10]) 9 ULP, weaker absorbers 12 for eta in [1,10]; 14 to 300 for eta < 1 and
+/// k from 0.1 to 0.001, where the critical angle of `dielectric` shows (docs/accuracy.md).
 template <class S>
 class conductor {
     using T = component_t<S>;
@@ -34,16 +34,16 @@ public:
                "conductor: k must be in [0, 1e9]");
     }
 
-    // (Inlined by force: see `by_component`.)
+    // (Inlined by force: docs/design.md.)
     template <std::same_as<T> U>
     [[gnu::always_inline]] constexpr S operator()(const U& c) const {
         return detail::by_component([&](const T& n, const T& kappa) { return reflectance(n, kappa, c); }, eta, k);
     }
 
     /// 2 int_0^1 F(u) u du, which has no closed form, by 32 Gauss points: build once, not per pixel.
-    /// Error: 16 ULP where k >= 0.5 or eta >= 1.02. Below both lies the kink of total internal reflection, which Gauss
-    /// points miss by 3e-14 at k = 0.3, 3e-8 at 0.1, 3e-3 at k = 0.01, 0.02 at k = 0: there `dielectric` has the closed
-    /// form.
+    /// Error: 16 ULP where k >= 0.5 or eta >= 1.02. Below both lies the kink of total internal reflection,
+    /// which Gauss points miss by 3e-14 at k = 0.3, 3e-8 at 0.1, 3e-3 at k = 0.01, 0.02 at k = 0: there
+    /// `dielectric` has the closed form.
     constexpr S average() const {
         constexpr gauss_legendre_32 rule;
         S sum(T(0));
@@ -59,8 +59,9 @@ public:
     constexpr S index() const { return eta; }
     constexpr S extinction() const { return k; }
 
-    /// The cosines where F bends from near 1, each to g, for quadrature to cut there: a^2 - b^2 = 0 at c^2 = 1 - eta^2
-    /// + k^2. F's branch points lie 2 eta k off it; where they are farther than c^2 F is smooth. Scalar types only.
+    /// The cosines where F bends from near 1, each to g, for quadrature to cut there:
+    /// a^2 - b^2 = 0 at c^2 = 1 - eta^2 + k^2. F's branch points lie 2 eta k off it;
+    /// where they are farther than c^2 F is smooth. Scalar types only.
     template <class G>
     constexpr void for_each_crease(const G& g) const {
         detail::by_component(

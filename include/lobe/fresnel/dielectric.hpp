@@ -7,16 +7,12 @@ namespace lobe {
 
 /// With c = v.h, s^2 = 1 - c^2 and g = sqrt(eta^2 - s^2):
 ///   Rs = ((g - c)/(g + c))^2,  Rp = Rs ((g c - s^2)/(g c + s^2))^2,  F = (Rs + Rp)/2,  and F = 1 where g is not real.
-/// Cook & Torrance 1982 and Walter et al. 2007, eq. 22, with (g - c)/(g + c) = e/(g + c)^2, e = eta^2 - 1, and (g +
-/// c)^2 = e + 2 (c^2 + g c): nothing cancels near eta = 1, and towards grazing it is 1 - 2 c/g, whatever the rounding
-/// of c/g.
-/// eta: index on the far side over that on the side of v (> 1 from air into glass, < 1 from inside: total internal
-/// reflection), one number or vec3 (dispersion).
+/// Cook & Torrance 1982 and Walter et al. 2007, eq. 22, with (g - c)/(g + c) = e/(g + c)^2, e = eta^2 - 1,
+/// and (g + c)^2 = e + 2 (c^2 + g c): nothing cancels near eta = 1, nor towards grazing.
+/// eta: index on the far side over that on the side of v, > 1 from air into glass, < 1 from inside (total internal
+/// reflection). One number or vec3 (dispersion).
 /// Domain: eta > 0 whose square is finite; c in [0,1]. At c = 0 every eta reflects all, eta = 1 included.
-/// Error: 12 ULP for eta in (1,10], in float and in double: the worst found is 11.5, near eta = 1; 7.1 at 1.5, 5.8 at
-/// 2.5. For eta in [0.3,1) 12 ULP and, near the critical angle, where F leaves 1 like a square root, 1.5 times what a
-/// change of eta and c by one ULP each does. Below 0.3 that angle nears the normal, and e + c^2 rounds as much over
-/// eta^2: at c = 1 F is off by up to 6/eta roundings (float, eta = 1e-3: 3.6e-4).
+/// Error: 12 ULP for eta in [0.3,10], more near the critical angle; 6/eta roundings below 0.3 (docs/accuracy.md).
 template <class S>
 class dielectric {
     using T = component_t<S>;
@@ -31,14 +27,14 @@ public:
                "dielectric: eta must be above 0 and its square finite");
     }
 
-    // (Inlined by force: see `by_component`.)
+    // (Inlined by force: docs/design.md.)
     template <std::same_as<T> U>
     [[gnu::always_inline]] constexpr S operator()(const U& c) const {
         return detail::by_component([&](const T& n) { return reflectance(n, c); }, eta);
     }
 
-    /// 2 int_0^1 F(u) u du in closed form. Walsh 1926, "The reflection factor of a polished glass surface for diffused
-    /// light".
+    /// 2 int_0^1 F(u) u du in closed form. Walsh 1926, "The reflection factor of a polished glass
+    /// surface for diffused light".
     /// Error: 16 ULP for every eta, from inside 3.
     constexpr S average() const {
         return detail::by_component([](const T& n) { return average_reflectance(n); }, eta);

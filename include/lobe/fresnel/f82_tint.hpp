@@ -7,11 +7,11 @@
 namespace lobe {
 
 /// F(u) = max(0, Schlick(u) - b u (1 - u)^6),  b = Schlick(1/7) (1 - t) 7^7/6^6.
-/// So F(1/7) = t Schlick(1/7), at acos(1/7) = 82 degrees, where u (1 - u)^6 is largest; t = 1 is Schlick's. Hoffman
-/// 2019, "Fresnel Equations Considered Harmful"; Kutz, Hasan & Edmondson 2021, "Novel Aspects of the Adobe Standard
-/// Material". F0, t in [0,1], one number or vec3 (linear); u in [0,1].
-/// Error against Fresnel's equations, t fitted: gold, silver and copper at most 0.017 (Schlick 0.040), aluminium 0.022
-/// (0.130), iron 0.019 (0.179); dielectrics gain little (eta 1.5: 0.028 for 0.036). Rounding: 4 ULP of 1.
+/// So F(1/7) = t Schlick(1/7), at acos(1/7) = 82 degrees, where u (1 - u)^6 is largest; t = 1 is Schlick's.
+/// Hoffman 2019, "Fresnel Equations Considered Harmful"; Kutz, Hasan & Edmondson 2021, "Novel Aspects of the Adobe
+/// Standard Material". F0, t in [0,1], one number or vec3 (linear); u in [0,1].
+/// Error against Fresnel's equations, t fitted: gold, silver and copper at most 0.017 (Schlick 0.040), aluminium
+/// 0.022 (0.130), iron 0.019 (0.179); dielectrics gain little (eta 1.5: 0.028 for 0.036). Rounding: 4 ULP of 1.
 /// The clamp acts for 7.6 % of all (F0, t), only where t <= 0.51; unclamped F falls to -0.127.
 template <class S>
 class f82_tint {
@@ -26,7 +26,7 @@ public:
         assert(detail::in_unit_interval(tint) && "f82_tint: the tint must be in [0,1]");
     }
 
-    // (Inlined by force: see `by_component`.)
+    // (Inlined by force: docs/design.md.)
     template <std::same_as<T> U>
     [[gnu::always_inline]] constexpr S operator()(const U& u) const {
         const T w = T(1) - u, w3 = w * w * w;

@@ -8,8 +8,8 @@
 namespace lobe {
 
 /// F0 = ((eta - 1)/(eta + 1))^2: Fresnel's equations at normal incidence (Born & Wolf, section 1.5).
-/// eta: index relative to the medium outside, n_inside/n_outside (glass in water: 1.5/1.33). One number or vec3; eta >
-/// 0. eta and 1/eta have the same F0.
+/// eta: index relative to the medium outside, n_inside/n_outside (glass in water: 1.5/1.33).
+/// One number or vec3; eta > 0. eta and 1/eta have the same F0.
 /// Error: 7 ULP.
 template <class S>
 constexpr S f0_from_ior(const S& eta) {

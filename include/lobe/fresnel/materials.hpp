@@ -14,8 +14,8 @@ constexpr vec3<T> rgb(double red, double green, double blue) {
 
 }  // namespace detail
 
-/// F0 in linear rgb, for `schlick` and its kin: `schlick{materials::F0::gold<float>()}`. Akenine-Moller, Haines &
-/// Hoffman 2008, "Real-Time Rendering", third edition, two decimals.
+/// F0 in linear rgb, for `schlick` and its kin: `schlick{materials::F0::gold<float>()}`.
+/// Akenine-Moller, Haines & Hoffman 2008, "Real-Time Rendering", third edition, two decimals.
 namespace F0 {
 
 template <scalar T>
@@ -62,11 +62,11 @@ constexpr vec3<T> aluminium() {
 
 }  // namespace F0
 
-// Metals in air as `conductor`s: eta and k measured at three wavelengths, for red, green and blue. The rows nearest to
-// 650, 550 and 450 nm of the published tables, not interpolated (as digitised by refractiveindex.info, CC0). Three
-// wavelengths are not a colour: F0 above is the spectrum seen through colour matching, and these differ from it by up
-// to 0.12 (gold's blue), 0.10, 0.02, 0.08 and 0.006 in the order below. Spectral renderers take eta and k at their own
-// wavelengths.
+// Metals in air as `conductor`s: eta and k measured at three wavelengths, for red, green and blue. The rows nearest
+// to 650, 550 and 450 nm of the published tables, not interpolated (as digitised by refractiveindex.info, CC0).
+// Three wavelengths are not a colour: F0 above is the spectrum seen through colour matching,
+// and these differ from it by up to 0.12 (gold's blue), 0.10, 0.02, 0.08 and 0.006 in the order below.
+// Spectral renderers take eta and k at their own wavelengths.
 
 /// Johnson & Christy 1972, "Optical constants of the noble metals", Phys. Rev. B 6, 4370: 659.5, 548.6, 450.9 nm.
 template <scalar T>
@@ -83,8 +83,8 @@ template <scalar T>
 constexpr conductor<vec3<T>> copper() {
     return {detail::rgb<T>(0.22, 1.02, 1.24), detail::rgb<T>(3.747, 2.577, 2.397)};
 }
-/// Johnson & Christy 1974, "Optical constants of transition metals: Ti, V, Cr, Mn, Fe, Co, Ni, and Pd", Phys. Rev. B 9,
-/// 5056: 659, 549, 451 nm.
+/// Johnson & Christy 1974, "Optical constants of transition metals: Ti, V, Cr, Mn, Fe, Co, Ni, and Pd", Phys. Rev.
+/// B 9, 5056: 659, 549, 451 nm.
 template <scalar T>
 constexpr conductor<vec3<T>> iron() {
     return {detail::rgb<T>(2.92, 2.95, 2.59), detail::rgb<T>(3.10, 2.93, 2.77)};

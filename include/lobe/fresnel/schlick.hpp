@@ -11,11 +11,11 @@ namespace lobe {
 struct unit {};
 
 /// F(u) = F0 + (F90 - F0) (1 - u)^5, u = v.h. Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering",
-/// eq. 15. S is the spectrum: one number, vec3 (linear rgb) or any type with S(T), + - * and S*T. F0, F90 in [0,1]; u
-/// in [0,1].
-/// Error against Fresnel's equations, largest near u = 0.1: up to 0.06 for dielectrics of eta from 1.33 to 2, more
-/// beyond (eta 1.2: 0.11, 1.1: 0.21, 1.01: 0.55; 2.5: 0.08, 4: 0.20); 0.18 for iron's green. Rounding: 8 ULP where F90
-/// >= F0.
+/// eq. 15. S is the spectrum: one number, vec3 (linear rgb) or any type with S(T), + - * and S*T.
+/// F0, F90 in [0,1]; u in [0,1].
+/// Error against Fresnel's equations, largest near u = 0.1: up to 0.06 for dielectrics of eta from 1.33 to 2,
+/// more beyond (eta 1.2: 0.11, 1.1: 0.21, 1.01: 0.55; 2.5: 0.08, 4: 0.20); 0.18 for iron's green.
+/// Rounding: 8 ULP where F90 >= F0.
 template <class S, class Grazing = unit>
 class schlick {
 public:

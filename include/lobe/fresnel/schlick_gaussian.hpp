@@ -6,9 +6,9 @@
 
 namespace lobe {
 
-/// F(u) = F0 + (F90 - F0) 2^((-5.55473 u - 6.98316) u). Lagarde 2012, "Spherical Gaussian approximation for
-/// Blinn-Phong, Phong and Fresnel"; Karis 2013, "Real Shading in Unreal Engine 4". Spectrum and domains are those of
-/// `schlick`.
+/// F(u) = F0 + (F90 - F0) 2^((-5.55473 u - 6.98316) u). Lagarde 2012, "Spherical Gaussian
+/// approximation for Blinn-Phong, Phong and Fresnel"; Karis 2013, "Real Shading in Unreal Engine 4".
+/// Spectrum and domains are those of `schlick`.
 /// Error against `schlick`: 0.0038 (F90 - F0) at u = 0.055; F(1) is F0 + 1.7e-4 (F90 - F0). Rounding: 8 ULP.
 /// `exp2` is found by ADL. On a CPU it costs more than Schlick's four products, not less.
 template <class S, class F90 = unit>

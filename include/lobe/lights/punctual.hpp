@@ -14,7 +14,7 @@ namespace lobe {
 //   spot_light          intensity     candela inside the inner cone
 // A light is called with a point and answers with what arrives there. S: one number or linear rgb.
 
-/// GLM converts float and double vectors into each other without a word. A light that derives from this, and `using`s
+/// GLM converts float and double vectors into each other silently. A light that derives from this, and `using`s
 /// its operator, does not. (`Self`: see `exact_vectors`.)
 template <class Self>
 struct exact_points {
@@ -22,8 +22,8 @@ struct exact_points {
     void operator()(const P&) const = delete;  // convert the point: vec3<T>(p), T the light's scalar
 };
 
-/// What arrives at a point: the unit direction `l` to the light, and the illuminance of a surface that faces it, in
-/// lux.
+/// What arrives at a point: the unit direction `l` to the light, and the illuminance of a surface
+/// that faces it, in lux.
 template <class S, scalar T>
 struct incident_light {
     vec3<T> l;
@@ -31,8 +31,8 @@ struct incident_light {
 };
 
 /// L = f(v,l) cos(theta_l) E: the reflectance equation of one light; no integral is left. v, light.l in tangent space.
-/// Lux gives cd/m^2 (W/m^2 gives W/(m^2 sr)), so under E = 1 a white Lambertian surface shows 1/pi: engines that want 1
-/// there put the pi into their lights.
+/// Lux gives cd/m^2 (W/m^2 gives W/(m^2 sr)), so under E = 1 a white Lambertian surface shows 1/pi:
+/// engines that want 1 there put the pi into their lights.
 template <brdf B, class S, std::same_as<typename B::scalar> T>
 constexpr auto reflected_radiance(const B& b, const vec3<T>& v, const incident_light<S, T>& light) {
     return b.f_cos(v, light.l) * light.illuminance;
@@ -67,8 +67,8 @@ struct inverse_square {
     }
 };
 
-/// max(0, 1 - (d/range)^4)/d^2: nothing beyond `range`, so that a renderer can cull. KHR_lights_punctual, "Range
-/// Property".
+/// max(0, 1 - (d/range)^4)/d^2: nothing beyond `range`, so that a renderer can cull.
+/// KHR_lights_punctual, "Range Property".
 /// Precondition: range > 0.
 /// Error: 8 ULP, the factor 1 - (d/range)^2 taken apart.
 template <scalar T>
@@ -110,12 +110,12 @@ private:
     [[no_unique_address]] Falloff attenuation;
 };
 
-/// The angular falloff of a spot: 1 up to `inner`, 0 from `outer`, in between t^2, t = (cos - cos(outer))/(cos(inner) -
-/// cos(outer)). KHR_lights_punctual, "Inner and Outer Cone Angles" (its listing bends cones with cos(inner) -
-/// cos(outer) < 0.001; this does not). Differences of cosines are written as (1 - cos) = |a - w|^2/2 of unit vectors,
-/// which stays right for the narrowest beams. Angles from the axis in radians; precondition: 0 <= inner <= outer <=
-/// pi/2, where pi/2 as a float has it, 4e-8 above, is pi/2 for every T. Angles that are equal, or become so in T, make
-/// a hard edge: 1 within, 0 from `outer` on.
+/// The angular falloff of a spot: 1 up to `inner`, 0 from `outer`, in between t^2,
+/// t = (cos - cos(outer))/(cos(inner) - cos(outer)). KHR_lights_punctual, "Inner and Outer Cone Angles"
+/// (its listing bends cones with cos(inner) - cos(outer) < 0.001; this does not). Differences of cosines are written
+/// as (1 - cos) = |a - w|^2/2 of unit vectors, which stays right for the narrowest beams. Angles from the axis in
+/// radians; precondition: 0 <= inner <= outer <= pi/2, where pi/2 as a float has it, 4e-8 above, is pi/2 for every T.
+/// Angles that are equal, or become so in T, make a hard edge: 1 within, 0 from `outer` on.
 template <scalar T>
 class cone {
 public:
@@ -138,8 +138,8 @@ public:
         return t * t;
     }
 
-    /// int falloff dw, in sr: a spot of the luminous power P (lumen) has I = P/solid_angle(). 2 pi (1 - (2 cos(inner) +
-    /// cos(outer))/3).
+    /// int falloff dw, in sr: a spot of the luminous power P (lumen) has I = P/solid_angle().
+    /// 2 pi (1 - (2 cos(inner) + cos(outer))/3).
     constexpr T solid_angle() const { return T(2) * pi<T>() * (T(2) * inside + outside) / T(3); }
 
 private:

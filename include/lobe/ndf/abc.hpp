@@ -80,15 +80,14 @@ private:
     T a2, C, B, whole, norm;
 };
 
-/// ABC: D = A / (1 + B (1 - cos theta_m))^C, B = 2/alpha^2, A from normalisation. Low, Kronander, Ynnerman & Unger
-/// 2012, "BRDF Models for Accurate and Efficient Rendering of Glossy Surfaces", eq. 12; the spectrum of polished
-/// surfaces of Church 1989. Near the normal it is (1 + theta^2/alpha^2)^-C, as GGX is at C = 2. Not shape-invariant:
-/// only `alpha`.
-/// Domain: alpha > 0, C >= 0. D in 1/sr. Sampling: scalar types only. No closed projected area: `tabulated` or
-/// `masked_by`.
-/// Error of D:
-/// 12 (1 + |ln(D pi alpha^2)|) ULP, in double for alpha > 3 up to alpha^2/10 times that; of the projected area: 3e-6 of
-/// that along the horizon, at alpha = 1e-4, where it is largest, 4e-5 for C < 1.
+/// ABC: D = A / (1 + B (1 - cos theta_m))^C, B = 2/alpha^2, A from normalisation.
+/// Low, Kronander, Ynnerman & Unger 2012, "BRDF Models for Accurate and Efficient Rendering of Glossy Surfaces",
+/// eq. 12; the spectrum of polished surfaces of Church 1989. Near the normal it is (1 + theta^2/alpha^2)^-C,
+/// as GGX is at C = 2. Not shape-invariant: only `alpha`.
+/// Domain: alpha > 0, C >= 0. D in 1/sr. Sampling: scalar types only. No closed projected area:
+/// `tabulated` or `masked_by`.
+/// Error of D: 12 (1 + |ln(D pi alpha^2)|) ULP, in double for alpha > 3 up to alpha^2/10 times that;
+/// of the projected area: 3e-6 of that along the horizon, at alpha = 1e-4, where it is largest, 4e-5 for C < 1.
 template <scalar T, detail::one_width_of<T> Width = alpha<T>>
 class abc : public radial<abc_shape<T>, Width> {
 public:

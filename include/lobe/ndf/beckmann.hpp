@@ -26,17 +26,17 @@ struct beckmann_shape {
         return -log1p(-u);
     }
 
-    /// (exp(-a^2)/sqrt(pi) - a erfc(a))/2; from a = 1e4 on it is below exp(-1e8). Beside the cosine, its cancellation
-    /// does not show.
+    /// (exp(-a^2)/sqrt(pi) - a erfc(a))/2; from a = 1e4 on it is below exp(-1e8).
+    /// Beside the cosine, its cancellation does not show.
     constexpr T back(const T& cotangent) const {
         using std::erfc, std::exp, std::sqrt;
         const T a = smaller(cotangent, T(1e4f));
         return larger(exp(-a * a) / sqrt(pi<T>()) - a * erfc(a), T(0)) / T(2);
     }
 
-    /// back(a)/a, from a = 4 on by 20 terms of the continued fraction erfc(a) = exp(-a^2)/sqrt(pi) / (a + (1/2)/(a +
-    /// (2/2)/(a + ...))): with r_n = a r_(n+1) + (n+1)/2 r_(n+2), from its tail on, back(a) = exp(-a^2)/(4 sqrt(pi))
-    /// r_2/r_0, where nothing cancels.
+    /// back(a)/a, from a = 4 on by 20 terms of the continued fraction
+    /// erfc(a) = exp(-a^2)/sqrt(pi) / (a + (1/2)/(a + (2/2)/(a + ...))): with r_n = a r_(n+1) + (n+1)/2 r_(n+2),
+    /// from its tail on, back(a) = exp(-a^2)/(4 sqrt(pi)) r_2/r_0, where nothing cancels.
     constexpr T lambda(const T& cotangent) const {
         using std::exp, std::sqrt;
         if constexpr (detail::beyond_double<T>) {
@@ -81,15 +81,14 @@ struct beckmann_shape {
     }
 };
 
-/// Beckmann: D = exp(-tan^2/alpha^2) / (pi alpha^2 cos^4), isotropic from `alpha`, anisotropic from `alpha_xy`. alpha =
-/// sqrt(2) times the rms slope. Beckmann & Spizzichino 1963; Cook & Torrance 1982; Walter et al. 2007, eq. 25; Lambda:
-/// Heitz 2014, eq. 68.
+/// Beckmann: D = exp(-tan^2/alpha^2) / (pi alpha^2 cos^4), isotropic from `alpha`, anisotropic from `alpha_xy`.
+/// alpha = sqrt(2) times the rms slope. Beckmann & Spizzichino 1963; Cook & Torrance 1982; Walter et al. 2007, eq. 25;
+/// Lambda: Heitz 2014, eq. 68.
 /// Domain: alpha (of `alpha_xy` the product) from 1e-19 in float, 1e-150 in double, whose square is a number; any
 /// direction. D in 1/sr; where it underflows it is zero.
-/// Error of D: 12 (1 + |ln(D pi ax ay)|) ULP; of the projected area: 4 ULP; of Lambda in double: relative 4e-14 for
-/// cot/alpha <= 8, in float 3e-5, zero where it underflows. Below the horizon the area is a difference, in float off by
-/// 3e-7 (1 + cot^2/alpha^2)^2, as is the density of the normals visible from there: 7e-4 at cot/alpha = 9, where the
-/// area is 1e-37; in double by 1e-12.
+/// Error of D: 12 (1 + |ln(D pi ax ay)|) ULP; of the projected area: 4 ULP; of Lambda in double:
+/// relative 4e-14 for cot/alpha <= 8, in float 3e-5, zero where it underflows. Below the horizon the area
+/// is a difference: relative 3e-7 (1 + cot^2/alpha^2)^2 in float, 1e-12 in double (docs/accuracy.md).
 template <scalar T, detail::width_of<T> Width = alpha<T>>
 class beckmann : public radial<beckmann_shape<T>, Width> {
 public:
@@ -114,10 +113,10 @@ struct beckmann_walter_shape : beckmann_shape<T> {
     }
 };
 
-/// Beckmann with the projected area of Walter et al. 2007, p. 7: Lambda ~ (1 - 1.259 a + 0.396 a^2)/(3.535 a + 2.181
-/// a^2) for a = cot/alpha < 1.6, else 0: no exponential and no error function. G1 within 0.32 % of `beckmann`'s, with a
-/// jump of 6e-5 at 1.6; Lambda itself is off by up to 92 % near 1.5. Sampling: all normals, as `beckmann`; visible
-/// normals would need the exact area.
+/// Beckmann with the projected area of Walter et al. 2007,
+/// p. 7: Lambda ~ (1 - 1.259 a + 0.396 a^2)/(3.535 a + 2.181 a^2) for a = cot/alpha < 1.6, else 0: no exponential
+/// and no error function. G1 within 0.32 % of `beckmann`'s, with a jump of 6e-5 at 1.6; Lambda itself is off by up
+/// to 92 % near 1.5. Sampling: all normals, as `beckmann`; visible normals would need the exact area.
 template <scalar T, detail::width_of<T> Width = alpha<T>>
 class beckmann_walter : public radial<beckmann_walter_shape<T>, Width> {
 public:

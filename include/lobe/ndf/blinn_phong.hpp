@@ -6,14 +6,14 @@
 
 namespace lobe {
 
-/// Blinn-Phong: D = (n + 2)/(2 pi) cos^n, n = 2/alpha^2 - 2. Blinn 1977, "Models of Light Reflection for Computer
-/// Synthesized Pictures". Its slopes follow Student's t with gamma = 1/alpha^2 + 1 and the same alpha (put tan^2 =
-/// 1/cos^2 - 1 into STD), so its projected area is closed after all, and that is how it is written. The family is not
-/// shape-invariant: only `alpha`.
-/// Domain: 0 < alpha <= 1 (n >= 0). D in 1/sr. Projected area, Lambda, visible normals: scalar types only (0.2
-/// microseconds an area); `masked_by{blinn_phong{a}, beckmann{a}}` is the usual cheap stand-in (Walter et al. 2007).
-/// Error of D:
-/// 10 (1 + |ln(D pi alpha^2 cos^4)|) ULP; of the projected area and of Lambda: those of `student_t`.
+/// Blinn-Phong: D = (n + 2)/(2 pi) cos^n, n = 2/alpha^2 - 2. Blinn 1977, "Models of Light Reflection
+/// for Computer Synthesized Pictures". Its slopes follow Student's t with gamma = 1/alpha^2 + 1 and the same
+/// alpha (put tan^2 = 1/cos^2 - 1 into STD), so its projected area is closed after all, and that is how it is written.
+/// The family is not shape-invariant: only `alpha`.
+/// Domain: 0 < alpha <= 1 (n >= 0). D in 1/sr. Projected area, Lambda, visible normals:
+/// scalar types only (0.2 microseconds an area); `masked_by{blinn_phong{a}, beckmann{a}}` is the usual cheap
+/// stand-in (Walter et al. 2007).
+/// Error of D: 10 (1 + |ln(D pi alpha^2 cos^4)|) ULP; of the projected area and of Lambda: those of `student_t`.
 template <scalar T, detail::one_width_of<T> Width = alpha<T>>
 class blinn_phong : public radial<student_t_shape<T>, Width> {
 public:

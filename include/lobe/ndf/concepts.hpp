@@ -8,9 +8,9 @@ namespace lobe {
 /// A density of normals:
 /// - `D(m)`: 1/sr; of a direction, so any positive multiple of m; zero below the horizon;
 /// - `width()`: the scale of its slopes along x and y, which quadrature wants to know.
-/// Directions are of its own type: GLM converts float and double vectors into each other without a word, which only a
-/// BRDF refuses. Parameters outside their domain end in an assert; where asserts are compiled out, results mean
-/// nothing: NaN, or some number.
+/// Directions are of its own type. (GLM converts float and double vectors into each other silently; BRDFs refuse that.)
+/// Parameters outside their domain end in an assert; where asserts are compiled out,
+/// results mean nothing: NaN, or some number.
 template <class N>
 concept normal_density = scalar<typename N::scalar> && requires(const N ndf, const vec3<typename N::scalar> m) {
     { N::isotropic } -> std::convertible_to<bool>;
@@ -30,8 +30,7 @@ concept samplable_density = normal_density<N> &&
 /// - `projected_area(w)`: sigma, the area of the microsurface seen from w per unit of macrosurface, its own back faces
 ///   excluded (Heitz et al. 2015, Dupuy 2015): cos(theta_w) (1 + Lambda(w)) in Smith's terms; on the whole sphere;
 /// - `lambda(w)`: Smith's Lambda in a form that does not cancel; masking does not call it.
-/// Where there is no closed form, a density is all that its class is, and `tabulated` or `masked_by` makes a
-/// distribution of it.
+/// Where there is no closed form the class is a density only; `tabulated` or `masked_by` makes a distribution of it.
 template <class N>
 concept distribution = normal_density<N> && requires(const N ndf, const vec3<typename N::scalar> w) {
     { ndf.projected_area(w) } -> std::same_as<typename N::scalar>;

@@ -44,8 +44,8 @@ public:
             if (!(share > W(0))) return detail::value_and_slope<W>{low ? W(-1) : W(1), W(0)};
             return detail::value_and_slope<W>{low ? log(share) - wanted : wanted - log(share), of.front(x) / share};
         };
-        // lower(x) is at most x^s/Gamma(s + 1), and close to it for small x: a bound from below, and where the search
-        // starts in that tail
+        // lower(x) is at most x^s/Gamma(s + 1), and close to it for small x: a bound from below,
+        // and where the search starts in that tail
         const W least = log(W(u) * of.gamma_s * s) / s;
         if (exp(least) < std::numeric_limits<W>::epsilon()) return T(exp(least * s));
         return T(exp(detail::root_of_increasing<W>(least - W(1), W(7), low ? least : log(s + W(1)), excess) * s));

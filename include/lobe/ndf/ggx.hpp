@@ -54,9 +54,9 @@ struct ggx_profile {
     }
 };
 
-/// GGX: D = alpha^2 / (pi (alpha^2 cos^2 + sin^2)^2), isotropic from `alpha`, anisotropic from `alpha_xy`. Trowbridge &
-/// Reitz 1975; Walter et al. 2007, eq. 33; anisotropic: Burley 2012, eq. 13. Projected area and Lambda: Heitz 2014, eq.
-/// 72, 86, in the form (S + cos)/2, S^2 = ax^2 x^2 + ay^2 y^2 + z^2.
+/// GGX: D = alpha^2 / (pi (alpha^2 cos^2 + sin^2)^2), isotropic from `alpha`, anisotropic from `alpha_xy`.
+/// Trowbridge & Reitz 1975; Walter et al. 2007, eq. 33; anisotropic: Burley 2012, eq. 13. Projected area and Lambda:
+/// Heitz 2014, eq. 72, 86, in the form (S + cos)/2, S^2 = ax^2 x^2 + ay^2 y^2 + z^2.
 /// Domain: alpha >= 1e-6, where the errors hold (D along the normal is finite from 1.2e-19 in float, 1.5e-153 in
 /// double; of `alpha_xy` the product); m of any length from 1e-12 to 1e12; cosines of 1e-6 and more, and the whole
 /// sphere for the projected area. D in 1/sr.

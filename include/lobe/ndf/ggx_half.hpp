@@ -6,8 +6,8 @@
 namespace lobe {
 
 /// D of isotropic GGX in binary16: 1 - (n.m)^2 written as |n x m|^2 (Lagrange's identity), here x^2 + y^2, as in the
-/// mobile shaders of Filament and Unity, and grouped so that no term overflows, and none that counts comes near 6.1e-5,
-/// where binary16 begins to lose digits:
+/// mobile shaders of Filament and Unity, and grouped so that no term overflows, and none that counts loses
+/// digits below 6.1e-5:
 ///   q = x (x/a) + y (y/a) + z (a z),  D = 1/(pi q^2),  computed on 8 m, which costs no rounding
 /// `ggx<T>::D` squares x, y and a z by themselves. In binary16 that is as right for alpha from 1/128 on, but not where
 /// subnormals are flushed to zero, as GPUs may do (5 % off at alpha 0.05), and infinite for alpha < 1/256.

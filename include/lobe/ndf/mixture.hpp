@@ -7,12 +7,12 @@
 
 namespace lobe {
 
-/// (1 - w) first + w second: of D, of the projected area and of Lambda, which are all linear in the facets, so the
-/// masking of the mixture is exactly Smith's. Kulla & Conty 2017, "Revisiting Physically Based Shading at Imageworks".
-/// (Adding two BRDFs, each with its own masking, is another model: `sum`.) Where one of them has no area the mixture
-/// has none.
-/// Samples choose a component by u.x, in proportion to what is seen of it, and stretch u.x over [0,1) again. w in
-/// [0,1].
+/// (1 - w) first + w second: of D, of the projected area and of Lambda, which are all linear in the facets,
+/// so the masking of the mixture is exactly Smith's. Kulla & Conty 2017, "Revisiting Physically Based
+/// Shading at Imageworks". (Adding two BRDFs, each with its own masking, is another model: `sum`.)
+/// Where one of them has no area the mixture has none.
+/// u.x chooses a component in proportion to its projected area (its weight, for all normals),
+/// and is rescaled to [0,1). w in [0,1].
 template <normal_density First, normal_density Second>
     requires std::same_as<typename First::scalar, typename Second::scalar>
 class mixture {
@@ -27,7 +27,7 @@ public:
         assert(all(w >= T(0)) && all(w <= T(1)) && "mixture: the weight of the second must be in [0,1]");
     }
 
-    // (Inlined by force: two distributions are large, and a loop with a call does not vectorise.)
+    // (Inlined by force: docs/design.md.)
     [[gnu::always_inline]] constexpr T D(const vec3<T>& m) const { return mix(first.D(m), second.D(m)); }
     [[gnu::always_inline]] constexpr T
     projected_area(const vec3<T>& v) const requires distribution<First> && distribution<Second> {
@@ -64,8 +64,7 @@ public:
 private:
     constexpr T mix(const T& a, const T& b) const { return (T(1) - w) * a + w * b; }
 
-    /// Is it the first, of probability p? And u over again. (Where p is 1 the second does not happen. The form of its u
-    /// stays below 1.)
+    /// Chooses the first with probability p and rescales u to [0,1). (The second form rounds to less than 1.)
     struct chosen {
         decltype(std::declval<T>() < std::declval<T>()) first;
         T u;

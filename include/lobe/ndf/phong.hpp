@@ -61,8 +61,7 @@ private:
 /// normalised. Its facets are tilted by less than 45 degrees, at alpha = 1 evenly up to there. Practice pairs it with
 /// another's masking: `masked_by{phong{a}, ggx{a}}`. Not shape-invariant: only `alpha`.
 /// Domain: 0 < alpha <= 1 (n >= 0). D in 1/sr. No closed projected area: `tabulated` or `masked_by`.
-/// Error of D:
-/// 10 (1 + |ln(D pi alpha^2)|) / cos(2 theta_m) ULP; of the projected area: 3e-5 of that along the horizon.
+/// Error of D: 10 (1 + |ln(D pi alpha^2)|) / cos(2 theta_m) ULP; of the projected area: 3e-5 of that along the horizon.
 template <scalar T, detail::one_width_of<T> Width = alpha<T>>
 class phong : public radial<phong_shape<T>, Width> {
 public:

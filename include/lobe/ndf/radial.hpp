@@ -28,8 +28,8 @@ concept radial_shape = requires(const S shape, const T x) {
 /// ... whose projected area is known:
 /// - `back(a)`: the area of back faces seen at the cotangent a >= 0, over the sine: int_a^inf (x - a) P(x) dx, P the
 ///   distribution of slopes along one axis. Smith's Lambda is back(a)/a, or `lambda(a)` where that says it better.
-/// One whose `back` is an approximation says so, `using approximate_area = void`: visible normals then have no exact
-/// density.
+/// One whose `back` is an approximation says so, `using approximate_area = void`:
+/// visible normals then have no exact density.
 template <class S, class T>
 concept radial_shape_with_area = requires(const S shape, const T x) {
     { shape.back(x) } -> std::same_as<T>;
@@ -43,8 +43,8 @@ constexpr T slope_density(const Shape& shape, const T& tau) {
     return shape.D(tau, T(1));
 }
 
-/// int g(R) 2 pi f(a^2 + R^2) R dR over R > from: an average over the facets whose slope r is more than `a`, R^2 = r^2
-/// - a^2.
+/// int g(R) 2 pi f(a^2 + R^2) R dR over R > from: an average over the facets whose slope r is more than `a`,
+/// R^2 = r^2 - a^2.
 template <one_lane T, class Shape, class G>
 constexpr auto average_over_steep(const Shape& shape, const T& a, const T& from, const G& g) {
     using std::sqrt;
@@ -59,8 +59,8 @@ constexpr auto average_over_steep(const Shape& shape, const T& a, const T& from,
     }
 }
 
-/// back(a) by quadrature, and its slope: (1/pi) int (R - a atan(R/a)) and -(1/pi) int atan(R/a) over the facets steeper
-/// than a.
+/// back(a) by quadrature, and its slope: (1/pi) int (R - a atan(R/a)) and -(1/pi) int atan(R/a) over
+/// the facets steeper than a.
 template <one_lane T, class Shape>
 constexpr value_and_slope<T> back_by_quadrature(const Shape& shape, const T& a) {
     using std::atan2;
@@ -281,8 +281,8 @@ public:
         : radial<table, detail::widths_of<Density>>(table(density.profile().shape()), density.widths()) {}
 };
 
-/// A profile that somebody else keeps. What is shape-invariant needs one table for all widths, and each of them a
-/// pointer to it:
+/// A profile that somebody else keeps. What is shape-invariant needs one table for all widths,
+/// and each of them a pointer to it:
 ///   const tabulated table{exponential_power{alpha{1.0f}, p}};
 ///   const stretched ndf{shared{table.profile()}, alpha{a}};
 /// The profile has to outlive it.

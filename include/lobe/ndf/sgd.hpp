@@ -60,15 +60,15 @@ private:
     T a, p, whole, norm;
 };
 
-/// SGD: D = P(tan^2 theta_m) / (pi cos^4), P(x) = alpha^(p-1)/Gamma(1-p, alpha) exp(-(alpha^2 + x)/alpha) / (alpha^2 +
-/// x)^p. Bagher, Soler & Holzschuch 2012, "Accurate fitting of measured reflectances using a Shifted Gamma micro-facet
-/// distribution", whose alpha and p these are. Not shape-invariant: only `alpha`. p = 0 is Beckmann of width
-/// sqrt(alpha).
+/// SGD: D = P(tan^2 theta_m) / (pi cos^4), P(x) = alpha^(p-1)/Gamma(1-p, alpha)
+/// exp(-(alpha^2 + x)/alpha) / (alpha^2 + x)^p. Bagher, Soler & Holzschuch 2012, "Accurate fitting
+/// of measured reflectances using a Shifted Gamma micro-facet distribution", whose alpha and p these are.
+/// Not shape-invariant: only `alpha`. p = 0 is Beckmann of width sqrt(alpha).
 /// Domain: alpha in (0, 100], p in [0, 50]: the constants of D have to fit into a double. D in 1/sr. Scalar types only;
 /// making one takes 1 to 3 microseconds, for Gamma(1-p, alpha). No closed projected area: `tabulated` or `masked_by`.
-/// Error of D for alpha <= 1, p <= 9: 10 (1 + |ln(D pi alpha^2)|) ULP, in double relative 1e-14 (that of Gamma(1-p,
-/// alpha)) more; of the projected area: 3e-6 of that along the horizon for p <= 4, and at alpha = 1e-4, where it is
-/// largest, 3e-5 for p = 9.
+/// Error of D for alpha <= 1, p <= 9: 10 (1 + |ln(D pi alpha^2)|) ULP, in double relative 1e-14
+/// (that of Gamma(1-p, alpha)) more; of the projected area: 3e-6 of that along the horizon for p <= 4,
+/// and at alpha = 1e-4, where it is largest, 3e-5 for p = 9.
 template <scalar T, detail::one_width_of<T> Width = alpha<T>>
 class sgd : public radial<sgd_shape<T>, Width> {
 public:

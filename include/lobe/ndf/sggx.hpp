@@ -23,9 +23,9 @@ struct symmetric_matrix {
 /// int D(m) |w.m| dm = 2 sigma(w), and there is no Lambda; so it is no `distribution` for `microfacet`. Above the
 /// horizon its D is that of GGX.
 /// Domain: S positive definite (axes may be left-handed, as frames of mirrored UVs are); any direction; D in 1/sr.
-/// Error of D: 16 ULP, of sigma: 4 ULP, for axes along x, y and z; in other orthogonal ones up to the ratio of the
-/// largest area to the smallest times that, where w is across the larger axes, m across the smaller ones: areas of 1
-/// and 0.001, 782 and 122 ULP.
+/// Error of D: 16 ULP, of sigma: 4 ULP, for axes along x, y and z; in other orthogonal ones up to the ratio
+/// of the largest area to the smallest times that, where w is across the larger axes, m across the smaller ones:
+/// areas of 1 and 0.001, 782 and 122 ULP.
 template <scalar T>
 class sggx {
 public:

@@ -59,8 +59,8 @@ public:
 
     constexpr vec2<T> width() const { return {widths_.x(), widths_.y()}; }
 
-    /// A normal with density D(m) cos(theta_m); u in [0,1)^2. Error, for GGX and Beckmann: 3e-7 radian in float, 6e-16
-    /// in double. (Inlined by force, as is `sample_visible`: a loop with a call does not vectorise.)
+    /// A normal with density D(m) cos(theta_m); u in [0,1)^2. Error, for GGX and Beckmann: 3e-7 radian in float,
+    /// 6e-16 in double. (Inlined by force, as is `sample_visible`: docs/design.md.)
     [[gnu::always_inline]] constexpr vec3<T> sample(const vec2<T>& u) const
         requires(requires(const Profile p) { p.sample(u); }) {
         return normalize(widths_.stretch(profile_.sample(u)));
@@ -69,8 +69,8 @@ public:
 
     /// A normal seen from v, with density max(0, v.m) D(m) / projected_area(v); unit v, also below the horizon, where
     /// the random walk looks up through the surface; u in [0,1)^2.
-    /// Error for GGX in float: 3e-7 (1 + a |Sv| |S^-1 m|^2/(2 v.m)) radian, S the stretch, a the larger width: 1e-6 for
-    /// 99.9 % of the square, more (4e-4 at alpha 1e-4) where grazing facets close at u.x = 1.
+    /// Error for GGX in float: 3e-7 (1 + a |Sv| |S^-1 m|^2/(2 v.m)) radian, S the stretch, a the larger width:
+    /// 1e-6 for 99.9 % of the square, more (4e-4 at alpha 1e-4) where grazing facets close at u.x = 1.
     [[gnu::always_inline]] constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const
         requires(requires(const Profile p) { p.sample_visible(v, u); }) {
         return normalize(widths_.stretch(profile_.sample_visible(widths_.stretch(v), u)));

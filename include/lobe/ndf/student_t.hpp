@@ -22,8 +22,8 @@ public:
         return student_t_shape(k, 0);
     }
 
-    /// (sec2/(1 + tau/k))^2 (1 + tau/k)^-(k-1) / pi. At the horizon, where for k near 1 it falls to zero too late, zero
-    /// for k > 1.
+    /// (sec2/(1 + tau/k))^2 (1 + tau/k)^-(k-1) / pi. At the horizon, where for k near 1 it falls to zero
+    /// too late, zero for k > 1.
     constexpr T D(const T& tau, const T& sec2) const {
         using std::exp, std::log1p;
         const T x = tau / k, ratio = sec2 / (T(1) + x);
@@ -116,9 +116,9 @@ constexpr alpha_xy<T> narrower(const alpha_xy<T>& width, const T& by) {
 
 }  // namespace detail
 
-/// Hyper-Cauchy: D = (gamma-1) / (pi alpha^2 cos^4) (1 + tan^2/alpha^2)^-gamma. Wellems et al. 2006; Hoffman 2016,
-/// "Recent Advances in Physically Based Shading". It is Student-t of the width alpha/sqrt(gamma - 1), which `width()`
-/// returns.
+/// Hyper-Cauchy: D = (gamma-1) / (pi alpha^2 cos^4) (1 + tan^2/alpha^2)^-gamma.
+/// Wellems et al. 2006; Hoffman 2016, "Recent Advances in Physically Based Shading".
+/// It is Student-t of the width alpha/sqrt(gamma - 1), which `width()` returns.
 /// Domain and error: those of `student_t`.
 template <scalar T, detail::width_of<T> Width = alpha<T>>
 class hyper_cauchy : public student_t<T, Width> {

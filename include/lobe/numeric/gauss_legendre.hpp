@@ -42,8 +42,8 @@ struct gauss_legendre {
     }
 };
 
-/// The 32 nodes and weights on [-1,1] as constants, those of z > 0; -z has the same weight. Abramowitz & Stegun 1964,
-/// table 25.4.
+/// The 32 nodes and weights on [-1,1] as constants, those of z > 0; -z has the same weight.
+/// Abramowitz & Stegun 1964, table 25.4.
 struct gauss_legendre_32 {
     double z[16] = {0.04830766568773831623, 0.1444719615827964935, 0.2392873622521370745, 0.3318686022821276498,
                     0.4213512761306353454,  0.50689990893222939,   0.587715757240762329,  0.663044266930215201,

@@ -8,9 +8,9 @@
 
 namespace lobe::detail {
 
-/// int g(x) dx over x > 0: the trapezoid rule after x = scale exp((pi/2) sinh t), which crowds nodes towards 0 and
-/// infinity (Takahasi & Mori 1974). 112 evaluations of g, a number or a vector of them, smooth in ln x and falling
-/// faster than x^-1.2.
+/// int g(x) dx over x > 0: the trapezoid rule after x = scale exp((pi/2) sinh t), which crowds nodes
+/// towards 0 and infinity (Takahasi & Mori 1974). 112 evaluations of g, a number or a vector of them,
+/// smooth in ln x and falling faster than x^-1.2.
 /// Error: below 1e-9 of int |g| where g turns within a few powers of ten around `scale`.
 template <one_lane T, class G>
 constexpr auto integral_to_infinity(const T& scale, const G& g) {
@@ -25,8 +25,8 @@ constexpr auto integral_to_infinity(const T& scale, const G& g) {
     return total * (quarter / T(2) * step);
 }
 
-/// int g(x) dx over low < x < high, the same with x = (low + high)/2 + (high - low)/2 tanh((pi/2) sinh t): the ends may
-/// be singular.
+/// int g(x) dx over low < x < high, the same with x = (low + high)/2 + (high - low)/2
+/// tanh((pi/2) sinh t): the ends may be singular.
 template <one_lane T, class G>
 constexpr auto integral_between(const T& low, const T& high, const G& g) {
     using std::exp;
@@ -40,8 +40,8 @@ constexpr auto integral_between(const T& low, const T& high, const G& g) {
     return total * (width * quarter * step);
 }
 
-/// int g(x) dx from low to high for a g that is nearly a polynomial in each of `panels` parts: Gauss-Legendre, 8
-/// evaluations a part.
+/// int g(x) dx from low to high for a g that is nearly a polynomial in each of `panels` parts:
+/// Gauss-Legendre, 8 evaluations a part.
 template <one_lane T, class G>
 constexpr T short_integral(const T& low, const T& high, int panels, const G& g) {
     constexpr double node[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};

@@ -22,8 +22,8 @@ template <class T>
 inline constexpr bool beyond_double =
     std::numeric_limits<lane_t<T>>::is_specialized&& std::numeric_limits<lane_t<T>>::digits > 64;
 
-/// A number that stands for zero, a cosine for instance: its square times the square of a width (1e-4 in float) is
-/// still a number.
+/// A number that stands for zero, a cosine for instance: its square times the square
+/// of a width (1e-4 in float) is still a number.
 template <scalar T>
 constexpr T zero_cosine() {
     if constexpr (std::same_as<lane_t<T>, float>)

@@ -13,9 +13,9 @@ struct value_and_slope {
     T value, slope;
 };
 
-/// The x in [low, high] where an increasing function is zero; `f(x)` returns its value and slope. Newton's method,
-/// bisecting where Newton leaves the bracket, until steps are small enough for the next, as small as their square, not
-/// to show.
+/// The x in [low, high] where an increasing function is zero; `f(x)` returns its value and slope.
+/// Newton's method, bisecting where Newton leaves the bracket, until steps are small enough for the next,
+/// as small as their square, not to show.
 /// Error: the rounding of f over its slope, or 4 ULP of the bracket's ends.
 template <one_lane T, class F>
 constexpr T root_of_increasing(T low, T high, T x, const F& f) {

@@ -21,8 +21,8 @@ constexpr T log1p_ratio(const T& x) {
     return select(zero, T(1), log1p(x) / select(zero, T(1), x));
 }
 
-/// The continued fraction a1/(b1 + a2/(b2 + ...)) by the modified method of Lentz (Thompson & Barnett 1986). Scalar
-/// types only.
+/// The continued fraction a1/(b1 + a2/(b2 + ...)) by the modified method
+/// of Lentz (Thompson & Barnett 1986). Scalar types only.
 template <one_lane T, class Numerator, class Denominator>
 constexpr T continued_fraction(const Numerator& a, const Denominator& b) {
     using std::abs;
@@ -39,11 +39,11 @@ constexpr T continued_fraction(const Numerator& a, const Denominator& b) {
     return a(1) / value;
 }
 
-/// The regularised incomplete beta function I_x(p, q), by the continued fraction of Didonato & Morris 1992, "Algorithm
-/// 708: Significant Digit Computation of the Incomplete Beta Function Ratios", and by the symmetry I_x(p, q) = 1 -
-/// I_(1-x)(q, p). (NIST DLMF 8.17.22, of which this is every second convergent, loses p ULP as x nears 1.) `complement`
-/// is 1 - x; `norm` is Gamma(p + q)/(Gamma(p) Gamma(q)). p, q > 0. Scalar types only. With q = 1/2 tens of terms for
-/// any p.
+/// The regularised incomplete beta function I_x(p, q), by the continued fraction of Didonato & Morris 1992,
+/// "Algorithm 708: Significant Digit Computation of the Incomplete Beta Function Ratios",
+/// and by the symmetry I_x(p, q) = 1 - I_(1-x)(q, p). (NIST DLMF 8.17.22, of which this is every second convergent,
+/// loses p ULP as x nears 1.) `complement` is 1 - x; `norm` is Gamma(p + q)/(Gamma(p) Gamma(q)).
+/// p, q > 0. Scalar types only. With q = 1/2 tens of terms for any p.
 template <one_lane T>
 constexpr T incomplete_beta(const T& p, const T& q, const T& x, const T& complement, const T& norm) {
     using std::exp, std::log, std::log1p;
@@ -98,9 +98,9 @@ struct incomplete_gamma {
     constexpr T lower(const T& x) const { return x < s + T(1) ? lower_by_series(x) : T(1) - upper_by_fraction(x); }
 };
 
-/// The upper incomplete gamma function Gamma(s, x) for any real s and x > 0: the continued fraction from x or from 1
-/// on, and below 1 the integral of the series of e^-y, term by term, as (1 - x^q)/q = -ln x phi(q ln x), which has no
-/// poles. Scalar types only. Relative error 1e-14 for |s| <= 8.
+/// The upper incomplete gamma function Gamma(s, x) for any real s and x > 0: the continued fraction from x
+/// or from 1 on, and below 1 the integral of the series of e^-y, term by term, as (1 - x^q)/q = -ln x phi(q ln x),
+/// which has no poles. Scalar types only. Relative error 1e-14 for |s| <= 8.
 template <one_lane T>
 constexpr T upper_gamma(const T& s, const T& x) {
     using std::exp, std::log, std::pow;

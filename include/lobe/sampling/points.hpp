@@ -9,7 +9,7 @@ namespace lobe {
 
 namespace detail {
 
-/// bits / 2^32, kept below 1: float has 24 bits, and rounding would turn the last 128 codes into 1.0f.
+/// bits / 2^32, kept below 1: in float the last 128 codes would round to 1.
 template <scalar T>
 constexpr T fraction(std::uint32_t bits) {
     if constexpr (std::same_as<T, float>)

@@ -64,10 +64,10 @@ struct sampled {
     constexpr operator const S&() const { return value; }
 };
 
-/// The mean of g(round, i) over all samples. Its standard error is sqrt(sum (x - mean)^2/(rounds (rounds - 1))), x the
-/// mean of a round: right for any points whose rounds are independent, where the spread of single samples would
-/// overstate the error of points that are spread evenly. It is itself known to 1/sqrt(2 rounds - 2) of it: 13 % at 32.
-/// g returns a number or an rgb. At least 2 rounds.
+/// The mean of g(round, i) over all samples. Its standard error is sqrt(sum (x - mean)^2/(rounds (rounds - 1))),
+/// x the mean of a round: right for any points whose rounds are independent,
+/// where the spread of single samples would overstate the error of points that are spread evenly.
+/// It is itself known to 1/sqrt(2 rounds - 2) of it: 13 % at 32. g returns a number or an rgb. At least 2 rounds.
 template <class G>
 constexpr auto sample_mean(const sample_counts& samples, const G& g) {
     using S = std::decay_t<decltype(g(0u, 0u))>;

@@ -8,8 +8,8 @@
 namespace lobe {
 
 /// The width alpha of an isotropic distribution (Walter et al. 2007): the scale of its slopes.
-/// Precondition: alpha > 0, finite. Artists' roughness is converted by name, and a floor is written where the number is
-/// born.
+/// Precondition: alpha > 0, finite. Artists' roughness is converted by name, and a floor is written
+/// where the number is born.
 template <scalar T>
 class alpha {
 public:
@@ -20,8 +20,16 @@ public:
         assert(all(a > T(0)) && all(detail::finite(a)) && "alpha must be above 0 and finite");
     }
 
-    /// alpha = r^2 (Burley 2012, "Physically-Based Shading at Disney", section 5.4), at least `floor`: textures contain
-    /// 0.
+    /// Not chosen by `alpha{0.3f}`, nor by any other direct initialisation: reached where a bare number is given for a
+    /// width, as in `ggx<float>{0.3f}`, and says what to write.
+    template <std::same_as<T> N>
+    constexpr alpha(const N&) : a(1) {
+        static_assert(!lobe::scalar<N>,
+                      "a bare number is no width: write alpha{0.3f}, or alpha<float>::from_roughness(r)");
+    }
+
+    /// alpha = r^2 (Burley 2012, "Physically-Based Shading at Disney", section 5.4),
+    /// at least `floor`: textures contain 0.
     static constexpr alpha from_roughness(const T& r, const T& floor = T(0)) { return at_least(r * r, floor); }
     static constexpr alpha at_least(const T& value, const T& floor) { return alpha(larger(value, floor)); }
 
@@ -75,8 +83,8 @@ public:
         return at_least(r * r / aspect, r * r * aspect, floor);
     }
 
-    /// x = r^2 (1 + k), y = r^2 (1 - k), k in [-1,1]: x + y = 2 r^2; needs a floor at k = +-1, which have a width of 0.
-    /// Kulla & Conty 2017, "Revisiting Physically Based Shading at Imageworks". Error: 2 ULP.
+    /// x = r^2 (1 + k), y = r^2 (1 - k), k in [-1,1]: x + y = 2 r^2; needs a floor at k = +-1,
+    /// which have a width of 0. Kulla & Conty 2017, "Revisiting Physically Based Shading at Imageworks". Error: 2 ULP.
     static constexpr alpha_xy from_imageworks(const T& r, const T& k, const T& floor = T(0)) {
         assert(all(k >= T(-1)) && all(k <= T(1)) && "from_imageworks: the anisotropy must be in [-1,1]");
         return at_least(r * r * (T(1) + k), r * r * (T(1) - k), floor);
@@ -98,8 +106,8 @@ public:
     constexpr vec3<T> stretch(const vec3<T>& w) const { return {ax * w.x, ay * w.y, w.z}; }
     constexpr vec3<T> unstretch(const vec3<T>& m) const { return {ay * m.x, ax * m.y, ax * ay * m.z}; }
 
-    /// (m.m)^2 / (ax ay ((x/ax)^2 + (y/ay)^2 + z^2)^2). Numerator and denominator share the squares, so what rounding
-    /// does to them cancels.
+    /// (m.m)^2 / (ax ay ((x/ax)^2 + (y/ay)^2 + z^2)^2). Numerator and denominator share the squares,
+    /// so what rounding does to them cancels.
     constexpr T density_ratio(const vec3<T>& m) const {
         const T xx = m.x * m.x, yy = m.y * m.y, zz = m.z * m.z, p = ax * ay;
         const T q = ay / ax * xx + ax / ay * yy + p * zz, k = quotient(q > T(0), xx + yy + zz, q);

@@ -7,11 +7,11 @@
 
 namespace lobe {
 
-// All of it rests on one fact: the slopes that a pixel sees are those of its mean surface plus those of the detail, so
-// their covariances add. A Beckmann distribution of width alpha has the slope variance alpha^2/2 along each axis, and
-// stays Beckmann when Gaussian slopes are added: exactly alpha'^2 = alpha^2 + 2 variance. GGX has no variance; the same
-// rule is an approximation there, too narrow at the core: at variance = alpha^2/2 its peak of D is 24 % above that of
-// the average.
+// All of it rests on one fact: the slopes that a pixel sees are those of its mean surface plus those of the detail,
+// so their covariances add. A Beckmann distribution of width alpha has the slope variance alpha^2/2 along each axis,
+// and stays Beckmann when Gaussian slopes are added: exactly alpha'^2 = alpha^2 + 2 variance.
+// GGX has no variance; the same rule is an approximation there, too narrow at the core:
+// at variance = alpha^2/2 its peak of D is 24 % above that of the average.
 
 /// alpha' = sqrt(alpha^2 + 2 variance); `variance` of the slopes along each axis, at least 0.
 /// Olano & Baker 2010, "LEAN Mapping"; exact for Beckmann. Error: 2 ULP.
@@ -62,8 +62,8 @@ constexpr oriented_width<T> principal_axes(const slope_matrix<T>& m, const T& fl
 
 }  // namespace detail
 
-/// The matrix alpha'^2 = diag(ax^2, ay^2) + 2 covariance, along its own axes. Olano & Baker 2010, "LEAN Mapping",
-/// section 3.
+/// The matrix alpha'^2 = diag(ax^2, ay^2) + 2 covariance, along its own axes.
+/// Olano & Baker 2010, "LEAN Mapping", section 3.
 /// Precondition: `covariance` is positive semidefinite but for rounding.
 template <scalar T>
 constexpr oriented_width<T> widened(const alpha_xy<T>& a, const slope_matrix<T>& covariance) {
@@ -72,8 +72,8 @@ constexpr oriented_width<T> widened(const alpha_xy<T>& a, const slope_matrix<T>&
         slope_matrix<T>{x2 + T(2) * covariance.xx, T(2) * covariance.xy, y2 + T(2) * covariance.yy}, smaller(x2, y2));
 }
 
-/// What a texel of a LEAN map holds: the mean b and the second moment M of the slopes. Texels are averaged (mip-mapped,
-/// filtered) by adding them and scaling. Olano & Baker 2010.
+/// What a texel of a LEAN map holds: the mean b and the second moment M of the slopes.
+/// Texels are averaged (mip-mapped, filtered) by adding them and scaling. Olano & Baker 2010.
 /// Error: the covariance is a difference, so it is off by ULPs of the second moment: 8 after one averaging.
 template <scalar T>
 struct lean_moments {
@@ -101,8 +101,8 @@ struct lean_moments {
     }
 };
 
-/// The same for isotropic shading, one number less: M is the mean squared length of the slope. Baker 2011, "CLEAN
-/// Mapping" (Firaxis).
+/// The same for isotropic shading, one number less: M is the mean squared length of the slope.
+/// Baker 2011, "CLEAN Mapping" (Firaxis).
 template <scalar T>
 struct clean_moments {
     vec2<T> b;
@@ -151,10 +151,10 @@ constexpr T pixel_variance(const vec3<T>& dn_dx, const vec3<T>& dn_dy) {
     return (dot(dn_dx, dn_dx) + dot(dn_dy, dn_dy)) * (inv_pi<T>() / T(4));
 }
 
-/// alpha'^2 = min(alpha^2 + min(2 pixel_variance, kappa), max(1, alpha^2)), kappa = 0.18: what a deferred renderer can
-/// afford. Tokuyoshi & Kaplanyan 2021, "Stable Geometric Specular Antialiasing with Projected-Space NDF Filtering",
-/// listing 5. kappa keeps edges, where derivatives mean nothing, from going matte. (Filament: 0.2 and 2 * 0.15
-/// (|dn/dx|^2 + |dn/dy|^2).)
+/// alpha'^2 = min(alpha^2 + min(2 pixel_variance, kappa), max(1, alpha^2)), kappa = 0.18:
+/// what a deferred renderer can afford. Tokuyoshi & Kaplanyan 2021, "Stable Geometric Specular Antialiasing
+/// with Projected-Space NDF Filtering", listing 5. kappa keeps edges, where derivatives mean nothing,
+/// from going matte. (Filament: 0.2 and 2 * 0.15 (|dn/dx|^2 + |dn/dy|^2).)
 template <scalar T>
 constexpr alpha<T> widened_by_pixel(const alpha<T>& a, const vec3<T>& dn_dx, const vec3<T>& dn_dy,
                                     const T& kappa = T(9) / T(50)) {
@@ -171,12 +171,12 @@ constexpr alpha_xy<T> widened_by_pixel(const alpha_xy<T>& a, const vec3<T>& dn_d
     return {sqrt(smaller(x2 + k2, larger(x2, T(1)))), sqrt(smaller(y2 + k2, larger(y2, T(1))))};
 }
 
-/// The full filter: the half vector's footprint as a matrix. GGX seen from above is, in the disk of (m.x, m.y), a
-/// distribution of the squared width W = A/(1 - A), A = alpha^2; there W' = W + K with K = (dh_dx dh_dx^T + dh_dy
-/// dh_dy^T)/pi, and A' = W'/(1 + W'). Written without W, which is infinite at alpha = 1, B = 1 - A:   A' = (A + K B)(1
-/// + K B)^-1.
-/// Tokuyoshi & Kaplanyan 2021, section 4. dh/dx, dh/dy: derivatives of the unit half vector's (x, y) in tangent space,
-/// per pixel.
+/// The full filter: the half vector's footprint as a matrix.
+/// GGX seen from above is, in the disk of (m.x, m.y), a distribution of the squared width W = A/(1 - A), A = alpha^2;
+/// there W' = W + K with K = (dh_dx dh_dx^T + dh_dy dh_dy^T)/pi, and A' = W'/(1 + W').
+/// Written without W, which is infinite at alpha = 1, B = 1 - A:   A' = (A + K B)(1 + K B)^-1.
+/// Tokuyoshi & Kaplanyan 2021, section 4. dh/dx, dh/dy: derivatives of the unit half vector's (x, y)
+/// in tangent space, per pixel.
 /// Domain: alpha <= 1; so is the result.
 template <scalar T>
 constexpr oriented_width<T> widened_by_half_vector(const alpha_xy<T>& a, const vec2<T>& dh_dx, const vec2<T>& dh_dy) {

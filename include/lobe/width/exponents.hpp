@@ -5,8 +5,8 @@
 
 namespace lobe {
 
-/// n = 2/alpha^2 - 2: the exponent whose peak is that of GGX and Beckmann of width alpha, 1/(pi alpha^2). Walter et al.
-/// 2007, p. 7; Karis 2013. (The misprint 2 alpha^2 - 2 is normalised too, and grows towards the horizon.)
+/// n = 2/alpha^2 - 2: the exponent whose peak is that of GGX and Beckmann of width alpha, 1/(pi alpha^2).
+/// Walter et al. 2007, p. 7; Karis 2013. (The misprint 2 alpha^2 - 2 is normalised too, and grows towards the horizon.)
 template <scalar T>
 constexpr T blinn_phong_exponent_from_alpha(const alpha<T>& a) {
     return T(2) * (T(1) - a.value()) * (T(1) + a.value()) / (a.value() * a.value());

@@ -125,6 +125,7 @@ private:
     /// Corners of n^2 squares between which samples begin to fail.
     std::vector<std::array<double, 2>> border(const box<T>& a, int n) const {
         std::vector<bool> ok;
+        ok.reserve(static_cast<std::size_t>(n * n));
         for (int i = 0; i < n * n; ++i) ok.push_back(draw(a.at((i % n + 0.5) / n, (i / n + 0.5) / n)).has_value());
         std::vector<std::array<double, 2>> out;
         for (int i = 0; i < n * (n - 1); ++i) {

@@ -160,8 +160,8 @@ private:
     /// From what was measured: a factor, a clamp, a floor, how much of all places is concerned.
     std::string clue(const std::vector<ratio_at>& wrong, const std::vector<suspect>& ones, double typical) const {
         const double share = static_cast<double>(deviating) / static_cast<double>(count);
-        if (const std::string factor = wrong_factor(wrong, share); !factor.empty()) return factor;
-        if (const std::string epsilon = added_epsilon(wrong); !epsilon.empty()) return epsilon;
+        if (std::string factor = wrong_factor(wrong, share); !factor.empty()) return factor;
+        if (std::string epsilon = added_epsilon(wrong); !epsilon.empty()) return epsilon;
         std::size_t clamped = 0;
         double below = 0;
         for (const suspect& s : ones) {

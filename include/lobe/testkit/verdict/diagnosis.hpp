@@ -24,7 +24,7 @@ inline double ratio_of(double measured, double expected) {
 
 /// The factor that is wrong: if all `looked_at` fail (or nearly all: 9 of 10), and by one and the same factor, or by
 /// one that is known. A factor that is there in a few places only is no constant. Empty where there is none.
-inline std::string wrong_factor(std::vector<ratio_at> ratios, double share_that_fails) {
+inline std::string wrong_factor(const std::vector<ratio_at>& ratios, double share_that_fails) {
     struct clue {
         double (*factor)(const vec3<double>& v, const vec3<double>& l);
         const char* meaning;

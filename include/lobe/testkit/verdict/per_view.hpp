@@ -79,7 +79,7 @@ private:
         if (lacks_one_over_pi())
             return "the same albedo from everywhere, " + number(times, 3) +
                    ": a missing 1/pi (it is plausible once divided by pi), or an albedo above 1";
-        if (const std::string factor = wrong_factor(wrong, share); !factor.empty() && (!upper_bound || share > 0.9))
+        if (std::string factor = wrong_factor(wrong, share); !factor.empty() && (!upper_bound || share > 0.9))
             return factor;
         std::string why = result.measured < result.expected && !too_small.empty() ? too_small : otherwise;
         if (most_rounding > 0.01)

@@ -1,0 +1,337 @@
+// Bakes an environment for image-based light: a prefiltered cube, its irradiance, harmonics, the split-sum texture.
+#include "ktx2.hpp"
+
+#include "../render_spheres/environment.hpp"
+#include "../render_spheres/font.hpp"
+#include "../render_spheres/image.hpp"
+#include "../render_spheres/output.hpp"
+#include "../render_spheres/picture.hpp"
+#include "../render_spheres/progress.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <glm/common.hpp>
+#include <glm/gtc/packing.hpp>
+#include <lobe/energy/dfg_export.hpp>
+#include <lobe/lobe.hpp>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void stop_if_interrupted() {
+    if (interrupted) throw std::runtime_error("interrupted: nothing was written");
+}
+
+/// Each row to g, shared out among the cores, with a bar.
+template <class G>
+void for_each_row(const std::string& name, int rows, const G& g) {
+    step progress(name, static_cast<std::size_t>(rows));
+    tbb::parallel_for(0, rows, [&](int row) {
+        stop_if_interrupted();
+        g(row);
+        progress.advance();
+    });
+}
+
+struct options {
+    std::filesystem::path environment, out = "baked";
+    int size = 256, smallest = 8, irradiance_size = 32, harmonics_degree = 2, dfg_size = 128, threads = 0;
+    std::uint32_t samples = 1024;
+    double tolerance = 0, rotate = 0;
+    float exposure_clamp = 0;
+    bool reference = false;
+};
+
+options parsed(int argc, char** argv) {
+    options o;
+    CLI::App app{
+        "Bakes a lat-long environment for image-based light: prefiltered.ktx2 (a cube, roughness from 0 at its "
+        "first level to 1 at its last), irradiance.ktx2 (irradiance/pi), harmonics.json, dfg.ktx2, dfg.raw, "
+        "dfg.h, faces_LEVEL.exr, sheet.png."};
+    const auto power_of_two = CLI::Validator(
+        [](std::string& text) {
+            const int n = std::stoi(text);
+            return (n & (n - 1)) ? std::string("must be a power of two") : std::string();
+        },
+        "POWER OF TWO");
+    app.add_option("environment", o.environment,
+                   "Radiance HDR or OpenEXR, width = 2 x height; without it: a studio made here");
+    app.add_option("--out", o.out, "folder for the files")->capture_default_str();
+    app.add_option("--size", o.size, "texels along an edge of the cube")
+        ->check(CLI::Range(16, 2048) & power_of_two)
+        ->capture_default_str();
+    app.add_option("--smallest", o.smallest, "... of its last level")
+        ->check(CLI::Range(4, 64) & power_of_two)
+        ->capture_default_str();
+    app.add_option("--samples", o.samples, "samples a texel")->check(CLI::Range(1, 1 << 20))->capture_default_str();
+    app.add_option("--tolerance", o.tolerance,
+                   "16 times the samples where they differ by more than this part; 0: never")
+        ->check(CLI::Range(0.0, 10.0))
+        ->capture_default_str();
+    app.add_option("--sh-order", o.harmonics_degree, "highest degree of the harmonics")
+        ->check(CLI::Range(0, 20))
+        ->capture_default_str();
+    app.add_option("--rotate", o.rotate, "degrees about the vertical axis, from +z to +x")->capture_default_str();
+    app.add_option("--exposure-clamp", o.exposure_clamp,
+                   "dims radiance whose mean of rgb is above this; loses energy; 0: none")
+        ->check(CLI::Range(0.0f, 1e20f))
+        ->capture_default_str();
+    app.add_option("--threads", o.threads, "0: one a core")->check(CLI::Range(0, 1024))->capture_default_str();
+    app.add_flag("--reference", o.reference, "compares the chain with sums over all texels and prints the errors");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) std::exit(app.exit(error));  // --help
+        throw;
+    }
+    if (o.smallest > o.size) throw std::runtime_error("--smallest must not be above --size");
+    return o;
+}
+
+std::uint16_t half(float x) { return glm::packHalf1x16(std::min(x, 65504.0f)); }
+
+texture as_texture(const std::vector<lobe::cube<float>>& levels) {
+    texture t{4, levels.front().size(), levels.front().size(), true, {}};
+    for (const auto& level : levels) {
+        t.levels.emplace_back();
+        level.for_each([&](int, int, int, const vec3& c) {
+            t.levels.back().insert(t.levels.back().end(), {half(c.x), half(c.y), half(c.z), half(1)});
+        });
+    }
+    return t;
+}
+
+/// The six faces side by side.
+image strip(const lobe::cube<float>& level) {
+    image out{6 * level.size(), level.size()};
+    level.for_each([&](int face, int x, int y, const vec3& c) { out(face * level.size() + x, y) = c; });
+    return out;
+}
+
+template <class... Text>
+void write_text(const std::filesystem::path& path, const Text&... text) {
+    std::ofstream out(path, std::ios::binary);
+    (out << ... << text);
+    out.close();
+    if (!out) throw std::runtime_error(path.string() + ": cannot be written");
+}
+
+std::string json_of(const lobe::harmonics<float>& radiance) {
+    const auto irradiance = radiance.irradiance();
+    std::ostringstream out;
+    out << std::setprecision(9);
+    const auto list = [&](const char* name, const lobe::harmonics<float>& h) {
+        out << "  \"" << name << "\": [";
+        for (std::size_t i = 0; i < h.coefficients.size(); ++i) {
+            const vec3& c = h.coefficients[i];
+            out << (i ? ",\n    [" : "\n    [") << c.x << ", " << c.y << ", " << c.z << "]";
+        }
+        out << "]";
+    };
+    out << "{\n  \"basis\": \"real, orthonormal, without the Condon-Shortley phase; order l, then m = -l..l; y is "
+           "up\",\n"
+        << "  \"degree\": " << radiance.degree() << ",\n";
+    list("radiance", radiance);
+    out << ",\n";
+    list("irradiance_over_pi", irradiance);
+    out << "\n}\n";
+    return out.str();
+}
+
+std::string header_of(const std::vector<glm::vec2>& texels, int size) {
+    std::ostringstream out;
+    out << "// Split-sum terms (scale, bias) of GGX with height-correlated Smith: F0 x + F90 y. " << size << " x "
+        << size << ",\n// columns: n.v from 0, rows: roughness from 0, both at the centres of texels.\n"
+        << "static const float dfg[" << size * size << "][2] = {\n"
+        << std::setprecision(7) << std::fixed;
+    for (const glm::vec2& t : texels) out << "    {" << t.x << "f, " << t.y << "f},\n";
+    out << "};\n";
+    return out.str();
+}
+
+/// Relative rms error of each filtered level against the sum over all texels, in some of its texels.
+void compare(const lobe::cube_pyramid<float>& environment, const std::vector<lobe::cube<float>>& levels) {
+    std::cout << "errors against the sum over all texels, rms over 96 texels of a level, of its rms radiance\n";
+    for (std::size_t i = 1; i < levels.size(); ++i) {
+        const float roughness = lobe::roughness_of_level(static_cast<float>(i), static_cast<int>(levels.size()));
+        const lobe::ggx normals{lobe::alpha<float>::from_roughness(roughness)};
+        const int size = levels[i].size();
+        double squares = 0, norm = 0;
+        for (int k = 0; k < 96; ++k) {
+            stop_if_interrupted();
+            const int face = k % 6, x = (k * 7) % size, y = (k * 11) % size;
+            const auto along = [&](int j) { return (static_cast<float>(j) + 0.5f) / static_cast<float>(size); };
+            const vec3 r = lobe::cube_direction(face, glm::vec2{along(x), along(y)});
+            const lobe::frame<float> at(r);
+            glm::dvec3 total(0);
+            double weights = 0;
+            environment.level(0).for_each([&](int f, int column, int row, const vec3& L) {
+                const int n = environment.level(0).size();
+                const auto centre = [&](int j) { return (static_cast<float>(j) + 0.5f) / static_cast<float>(n); };
+                const vec3 l = at.to_local(lobe::cube_direction(f, glm::vec2{centre(column), centre(row)}));
+                if (l.z <= 0) return;
+                const double weight = static_cast<double>(normals.D(l + vec3{0, 0, 1}) * l.z) *
+                                      lobe::cube_texel_solid_angle<double>(column, row, n);
+                total += glm::dvec3(L) * weight;
+                weights += weight;
+            });
+            const glm::dvec3 exact = total / weights, off = glm::dvec3(levels[i].at(face, x, y)) - exact;
+            squares += lobe::dot(off, off);
+            norm += lobe::dot(exact, exact);
+        }
+        std::cout << "  roughness " << std::fixed << std::setprecision(2) << roughness << ": "
+                  << 100 * std::sqrt(squares / norm) << " %\n";
+    }
+}
+
+image contact_sheet(const std::vector<lobe::cube<float>>& levels, const lobe::cube<float>& irradiance,
+                    const std::vector<glm::vec2>& dfg, int dfg_size, const std::string& name, float exposure) {
+    const font face{LOBE_EXAMPLE_FONT};
+    const int tile = 96, margin = 16, line = 28, left = 170, rows = static_cast<int>(levels.size()) + 1;
+    image page{left + 6 * tile + margin, 76 + rows * (tile + 8) + line + 2 * tile + margin};
+    const auto text = [&](int x, int y, float size, const std::string& words) {
+        face.write(page, static_cast<float>(x), static_cast<float>(y), size, vec3(0.9f), words);
+    };
+    std::ostringstream how;
+    how << std::setprecision(3) << "radiance x " << exposure << ", ACES filmic curve, sRGB";
+    text(margin, 28, 20, name);
+    text(margin, 48, 13, how.str());
+    const char* names[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
+    for (int f = 0; f < 6; ++f) text(left + f * tile + tile / 2 - 8, 70, 13, names[f]);
+    const auto row = [&](int number, const std::string& label, const std::string& detail, const auto& level) {
+        const int top = 76 + number * (tile + 8);
+        text(margin, top + tile / 2, 15, label);
+        text(margin, top + tile / 2 + 18, 13, detail);
+        for (int y = 0; y < tile; ++y)
+            for (int x = 0; x < 6 * tile; ++x) {
+                const int n = level.size();
+                page(left + x, top + y) =
+                    tone_mapped(level.at(x / tile, (x % tile) * n / tile, y * n / tile), exposure);
+            }
+    };
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        std::ostringstream label;
+        label << "roughness " << std::fixed << std::setprecision(2)
+              << lobe::roughness_of_level(static_cast<float>(i), static_cast<int>(levels.size()));
+        const std::string size = std::to_string(levels[i].size());
+        row(static_cast<int>(i), label.str(), size + " x " + size, levels[i]);
+    }
+    const std::string size = std::to_string(irradiance.size());
+    row(rows - 1, "irradiance/pi", size + " x " + size, irradiance);
+    const int top = 76 + rows * (tile + 8) + line;
+    text(margin, top + tile, 15, "split-sum terms");
+    text(margin, top + tile + 18, 13, "red scale, green bias");
+    text(left + 2 * tile + 12, top + 14, 13, "roughness 1 at the top, 0 below;");
+    text(left + 2 * tile + 12, top + 32, 13, "n.v from 0 on the left to 1");
+    for (int y = 0; y < 2 * tile; ++y)
+        for (int x = 0; x < 2 * tile; ++x) {
+            const int column = x * dfg_size / (2 * tile), below = (2 * tile - 1 - y) * dfg_size / (2 * tile);
+            const glm::vec2 t = dfg[static_cast<std::size_t>(below * dfg_size + column)];
+            page(left + x, top + y) = as_it_is(vec3{t.x, t.y, 0}, 1);
+        }
+    return page;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    const options o = parsed(argc, argv);
+    std::signal(SIGINT, [](int) { interrupted = 1; });
+    std::signal(SIGTERM, [](int) { interrupted = 1; });
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                      o.threads ? static_cast<std::size_t>(o.threads)
+                                                : static_cast<std::size_t>(std::thread::hardware_concurrency()));
+    auto map = o.environment.empty() ? studio_light() : load_environment(o.environment);
+    const std::string name =
+        o.environment.empty() ? "the studio light of the examples" : o.environment.filename().string();
+
+    int levels = 1;
+    while ((o.size >> levels) >= o.smallest) ++levels;
+    std::vector<std::string> names{"prefiltered.ktx2", "irradiance.ktx2", "harmonics.json", "dfg.ktx2",
+                                   "dfg.raw",          "dfg.h",           "sheet.png"};
+    for (int i = 0; i < levels; ++i) names.push_back("faces_" + std::to_string(i) + ".exr");
+    output_folder out{o.out, names};
+    std::cout << name << ", " << map.width << " x " << map.height << "\n";
+
+    if (o.exposure_clamp > 0) {
+        for (vec3& c : map.pixels) c = lobe::dimmed(c, o.exposure_clamp);
+        map = {map.width, map.height, std::move(map.pixels)};
+    }
+    const lobe::rotated turned{map, lobe::rotation<float>::about_up(static_cast<float>(o.rotate / 360))};
+    // as many look-ups a texel as see each texel of the map
+    const int per_axis = std::clamp(map.width / (2 * o.size), 2, 16);
+    std::vector<vec3> pixels(6 * static_cast<std::size_t>(o.size) * static_cast<std::size_t>(o.size));
+    for_each_row("cube, " + std::to_string(o.size), 6 * o.size, [&](int row) {
+        for (int column = 0; column < o.size; ++column) {
+            const auto texel =
+                lobe::cube_texel_mean<float>(turned, o.size, row / o.size, column, row % o.size, per_axis);
+            pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(o.size) +
+                   static_cast<std::size_t>(column)] = texel;
+        }
+    });
+    const lobe::cube_pyramid<float> environment{lobe::cube<float>(o.size, pixels)};
+
+    int level = 0;
+    const auto chain =
+        lobe::prefilter(environment, {.smallest = o.smallest, .count = o.samples, .tolerance = o.tolerance},
+                        [&](int rows, const auto& g) {
+                            ++level;
+                            for_each_row("roughness, level " + std::to_string(level), rows, g);
+                        });
+    std::vector<lobe::cube<float>> cubes;
+    for (std::size_t i = 0; i < chain.size(); ++i) cubes.push_back(chain.level(i));
+
+    const auto coarse = lobe::cube_pyramid<float>(environment)
+                            .level(static_cast<std::size_t>(std::max(0, static_cast<int>(std::log2(o.size)) - 5)));
+    const lobe::harmonics<float> radiance(environment.level(0), o.harmonics_degree);
+    const lobe::harmonics<float> fine(coarse, 8);
+    const auto of_fine = fine.irradiance();
+    const auto irradiance =
+        lobe::make_cube<float>([&](const vec3& n) { return glm::max(of_fine(n), vec3(0)); }, o.irradiance_size);
+
+    lobe::dfg_layout layout;
+    layout.width = layout.height = o.dfg_size;
+    std::vector<glm::vec2> dfg;
+    {
+        const step progress("split-sum texture", 1);
+        dfg = lobe::dfg_texels(lobe::smith_correlated{}, layout);
+    }
+    stop_if_interrupted();
+    if (o.reference) compare(environment, cubes);
+
+    const std::string writer = "lobe bake_ibl " + std::string(lobe::version);
+    write_ktx2(out.temporary("prefiltered.ktx2"), as_texture(cubes), writer);
+    write_ktx2(out.temporary("irradiance.ktx2"), as_texture({irradiance}), writer);
+    write_text(out.temporary("harmonics.json"), json_of(radiance));
+    write_ktx2(out.temporary("dfg.ktx2"), {2, o.dfg_size, o.dfg_size, false, {lobe::rg16f(dfg)}}, writer);
+    write_text(out.temporary("dfg.raw"),
+               std::string(reinterpret_cast<const char*>(dfg.data()), dfg.size() * sizeof(dfg[0])));
+    write_text(out.temporary("dfg.h"), header_of(dfg, o.dfg_size));
+    for (std::size_t i = 0; i < cubes.size(); ++i)
+        write_exr(out.temporary("faces_" + std::to_string(i) + ".exr"), strip(cubes[i]),
+                  "radiance; faces +x -x +y -y +z -z from the left");
+    double mean = 0;
+    environment.level(0).for_each([&](int, int x, int y, const vec3& c) {
+        mean += static_cast<double>(mean_of_channels(c)) * lobe::cube_texel_solid_angle<double>(x, y, o.size);
+    });
+    const auto exposure = static_cast<float>(0.5 * 4 * lobe::pi<double>() / mean);
+    write_png(out.temporary("sheet.png"), contact_sheet(cubes, irradiance, dfg, o.dfg_size, name, exposure));
+    stop_if_interrupted();
+    out.commit();
+} catch (const std::exception& error) {
+    std::cerr << "bake_ibl: " << error.what() << '\n';
+    return 1;
+}
