@@ -11,7 +11,9 @@
 #include <lobe/fresnel/schlick.hpp>
 #include <lobe/ibl/prefilter.hpp>
 #include <lobe/ndf/ggx.hpp>
+#include <lobe/sampling/lattices.hpp>
 #include <lobe/sampling/points.hpp>
+#include <lobe/sampling/sobol.hpp>
 
 #include <valgrind/callgrind.h>
 
@@ -147,6 +149,8 @@ int main() {
         return lobe::conductor{e.rgb(), e.in.eta[e.i] * e.rgb()}(e.mu());
     });
     measure("hammersley", in, [](const element& e) { return lobe::hammersley(e.in.index[e.i], count); });
+    measure("fibonacci", in, [](const element& e) { return lobe::fibonacci(e.in.index[e.i], count); });
+    measure("owen_sobol", in, [](const element& e) { return lobe::owen_sobol(e.in.index[e.i], 1); });
     measure("dfg_table", in, [&table](const element& e) { return table(e.mu(), alpha{e.in.a[e.i]}); });
     constexpr std::uint32_t taps = 64;
     const auto sky = [](const vec3& w) { return w; };
