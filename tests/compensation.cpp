@@ -210,3 +210,32 @@ TEST_CASE("weights of samples of a compensated BRDF", "[compensation]") {
             CHECK(worst < 2.1);
         }
 }
+
+TEST_CASE("compensated BRDFs at the ends of alpha", "[compensation]") {
+    // in float, from a mirror to alpha 1, at grazing and along the normal: numbers, not below 0, no more than all light
+    random_numbers random(12);
+    for (float a : {1e-6f, 1e-4f, 4e-4f, 1e-3f, 0.02f, 1.0f}) {
+        const auto b = microfacet{ggx{alpha<float>(a)}, smith_correlated{}, schlick{vec3<float>{1.0f, 0.5f, 0.0f}}};
+        const auto plain = compensated{b};
+        const auto forward = compensated{b, smith_multiscatter{}.forward()};
+        const auto kulla = compensated{b, lobe::kulla_conty{}};
+        for (int i = 0; i < 3000; ++i) {
+            vec3<float> v(random.direction()), l(random.direction());
+            if (i % 3 == 0) v.z = static_cast<float>(random.log_between(1e-18, 1e-3));
+            if (i % 5 == 0) l.z = static_cast<float>(random.log_between(1e-18, 1e-3));
+            const vec2<float> u{static_cast<float>(random()), static_cast<float>(random())};
+            const auto check = [&](const auto& brdf) {
+                const auto e = brdf.evaluate(v, l);
+                const auto s = brdf.sample(v, u);
+                REQUIRE((e.f_cos.x >= 0 && e.f_cos.y >= 0 && e.f_cos.z >= 0 && std::isfinite(e.pdf)));
+                REQUIRE((s.weight.x >= 0 && s.weight.x < 10 && std::isfinite(s.weight.x)));
+            };
+            check(plain);
+            check(forward);
+            check(kulla);
+        }
+    }
+    // where the lobe ends, it held less than 1e-6
+    const auto mirror = metal(schlick{1.0}, 2e-4);
+    CHECK(std::abs(lobe::directional_albedo(compensated{mirror}, 0.5, {.order = 64}).value - 1) < 1e-5);
+}

@@ -103,6 +103,11 @@ for file in sorted((ROOT / "tests").rglob("*.cpp")):
 for script in ("examples/run.sh", "tests/run.sh", "benchmarks/run.sh"):
     if not (ROOT / script).is_file() or not (ROOT / script).stat().st_mode & 0o100:
         say(ROOT / script, 1, "missing, or without its run bit")
+for folder in ("tests", "benchmarks", "examples", "scripts", ".ci"):
+    for file in sorted((ROOT / folder).rglob("*")):
+        if file.is_file() and file.suffix in {"", ".sh", ".py"} and not file.stat().st_mode & 0o100:
+            if file.read_bytes()[:2] == b"#!":
+                say(file, 1, "a script without its run bit")
 
 print("\n".join(found) if found else "house rules: nothing found")
 sys.exit(bool(found))

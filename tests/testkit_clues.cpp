@@ -137,10 +137,30 @@ std::vector<subject> extents() {
         all.push_back(wrong("n.v floored at " + std::to_string(floor), floored(0.25, floor), "reciprocity",
                             "a floor of a cosine"));
     all.push_back(wrong("n.v floored at 0.05", floored(0.25, 0.05), "reciprocity", "only where n.v or n.l is below"));
-    for (const double eps : {1e-5, 1e-4})
-        all.push_back(wrong("n.v + " + std::to_string(eps),
-                            paint_times([eps](const V& v, const V&) { return v.z / (v.z + eps); }), "reciprocity",
-                            "were added to n.v, or n.l"));
+    for (const double eps : {1e-5, 1e-4, 1e-3, 1e-2}) {
+        const std::string text = std::to_string(eps);
+        all.push_back(wrong("n.v + " + text, paint_times([eps](const V& v, const V&) { return v.z / (v.z + eps); }),
+                            "reciprocity", "were added to n.v in a denominator"));
+        all.push_back(wrong("a factor n.v + " + text,
+                            paint_times([eps](const V& v, const V& l) { return l.z * (v.z + eps); }), "reciprocity",
+                            "were added to n.v in a factor"));
+        all.push_back(wrong("1/(4 n.v + " + text + ")",
+                            f_times([eps](const V& v, const V&) { return v.z / (v.z + eps / 4); }), "reciprocity",
+                            "were added to n.v in a denominator"));
+        if (eps < 1e-4) continue;
+        all.push_back(wrong("a pdf and " + text, density([eps](const V& v, const V& l) {
+                                return (gloss().pdf(v, l) + eps) / gloss().pdf(v, l);
+                            }),
+                            "pdf(v, sample.l) = sample.pdf", "were added to the left"));
+        all.push_back(wrong("weights over a pdf and " + text,
+                            weights([eps](const V&, drawn& s) { s.weight *= s.pdf / (s.pdf + eps); }),
+                            "weight * pdf = f_cos", "were added to the pdf that a sample's weight"));
+    }
+    for (const double eps : {1e-3, 1e-2})
+        all.push_back(wrong("a pdf over 4 v.m + " + std::to_string(eps), density([eps](const V& v, const V& l) {
+                                return half_cosine(v, l) / (half_cosine(v, l) + eps / 4);
+                            }),
+                            "pdf(v, sample.l) = sample.pdf", "were added to v.m, in a denominator on the left"));
     for (const double eps : {0.001, 0.01})
         all.push_back(wrong("weights, " + std::to_string(eps) + " in the denominator",
                             weights([eps](const V& v, drawn& s) { s.weight *= v.z * s.l.z / (v.z * s.l.z + eps); }),

@@ -1,6 +1,7 @@
 // Bakes an environment for image-based light: a prefiltered cube, its irradiance, harmonics, the split-sum texture.
 #include "ktx2.hpp"
 
+#include "../render_spheres/bake.hpp"
 #include "../render_spheres/environment.hpp"
 #include "../render_spheres/font.hpp"
 #include "../render_spheres/image.hpp"
@@ -9,22 +10,21 @@
 #include "../render_spheres/progress.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <numeric>
 #include <sstream>
 
-#include <thread>
-
 #include <CLI/CLI.hpp>
-#include <glm/common.hpp>
 #include <glm/gtc/packing.hpp>
 #include <lobe/energy/dfg_export.hpp>
 #include <lobe/lobe.hpp>
 #include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 
 namespace {
@@ -46,6 +46,22 @@ void for_each_row(const std::string& name, int rows, const G& g) {
     });
 }
 
+/// A cube whose texels are `texel(face, column, row)`.
+template <class G>
+lobe::cube<float> filled_cube(const std::string& name, int size, const G& texel) {
+    image rows{size, 6 * size};
+    for_each_row(name, 6 * size, [&](int row) {
+        for (int column = 0; column < size; ++column) rows(column, row) = texel(row / size, column, row % size);
+    });
+    return {size, rows.pixels};
+}
+
+/// Towards the middle of a texel.
+vec3 texel_direction(int size, int face, int column, int row) {
+    const auto along = [&](int i) { return (static_cast<float>(i) + 0.5f) / static_cast<float>(size); };
+    return lobe::cube_direction(face, glm::vec2{along(column), along(row)});
+}
+
 struct options {
     std::filesystem::path environment, out = "baked";
     int size = 256, smallest = 8, irradiance_size = 32, harmonics_degree = 2, dfg_size = 128, threads = 0;
@@ -63,10 +79,16 @@ options parsed(int argc, char** argv) {
         "dfg.h, faces_LEVEL.exr, sheet.png."};
     const auto power_of_two = CLI::Validator(
         [](std::string& text) {
-            const int n = std::stoi(text);
+            const long n = std::strtol(text.c_str(), nullptr, 10);  // Range refuses what is no number
             return (n & (n - 1)) ? std::string("must be a power of two") : std::string();
         },
         "POWER OF TWO");
+    const auto finite = CLI::Validator(
+        [](std::string& text) {
+            // a NaN is within every Range
+            return std::isfinite(std::strtod(text.c_str(), nullptr)) ? std::string() : std::string("must be finite");
+        },
+        "FINITE");
     app.add_option("environment", o.environment,
                    "Radiance HDR or OpenEXR, width = 2 x height; without it: a studio made here");
     app.add_option("--out", o.out, "folder for the files")->capture_default_str();
@@ -79,15 +101,17 @@ options parsed(int argc, char** argv) {
     app.add_option("--samples", o.samples, "samples a texel")->check(CLI::Range(1, 1 << 20))->capture_default_str();
     app.add_option("--tolerance", o.tolerance,
                    "16 times the samples where they differ by more than this part; 0: never")
-        ->check(CLI::Range(0.0, 10.0))
+        ->check(CLI::Range(0.0, 10.0) & finite)
         ->capture_default_str();
     app.add_option("--sh-order", o.harmonics_degree, "highest degree of the harmonics")
         ->check(CLI::Range(0, 20))
         ->capture_default_str();
-    app.add_option("--rotate", o.rotate, "degrees about the vertical axis, from +z to +x")->capture_default_str();
+    app.add_option("--rotate", o.rotate, "degrees about the vertical axis, from +z to +x")
+        ->check(CLI::Range(-360.0, 360.0) & finite)
+        ->capture_default_str();
     app.add_option("--exposure-clamp", o.exposure_clamp,
                    "dims radiance whose mean of rgb is above this; loses energy; 0: none")
-        ->check(CLI::Range(0.0f, 1e20f))
+        ->check(CLI::Range(0.0f, 1e20f) & finite)
         ->capture_default_str();
     app.add_option("--threads", o.threads, "0: one a core")->check(CLI::Range(0, 1024))->capture_default_str();
     app.add_flag("--reference", o.reference, "compares the chain with sums over all texels and prints the errors");
@@ -97,11 +121,13 @@ options parsed(int argc, char** argv) {
         if (error.get_exit_code() == 0) std::exit(app.exit(error));  // --help
         throw;
     }
-    if (o.smallest > o.size) throw std::runtime_error("--smallest must not be above --size");
+    if (o.smallest >= o.size) throw std::runtime_error("--smallest must be below --size");
     return o;
 }
 
-std::uint16_t half(float x) { return glm::packHalf1x16(std::min(x, 65504.0f)); }
+constexpr float largest_half = 65504;
+
+std::uint16_t half(float x) { return glm::packHalf1x16(std::min(x, largest_half)); }
 
 texture as_texture(const std::vector<lobe::cube<float>>& levels) {
     texture t{4, levels.front().size(), levels.front().size(), true, {}};
@@ -162,38 +188,57 @@ std::string header_of(const std::vector<glm::vec2>& texels, int size) {
     return out.str();
 }
 
+/// What halves cannot hold is said, not dimmed in silence.
+void note_what_halves_lose(const std::string& file, const std::vector<lobe::cube<float>>& levels) {
+    int above = 0;
+    for (const auto& level : levels)
+        level.for_each([&](int, int, int, const vec3& c) {
+            for (const float x : {c.x, c.y, c.z}) above += x > largest_half;
+        });
+    if (above) std::cout << file << ": " << above << " values above 65504 taken as 65504; --exposure-clamp dims them\n";
+}
+
 /// Relative rms error of each filtered level against the sum over all texels, in some of its texels.
-void compare(const lobe::cube_pyramid<float>& environment, const std::vector<lobe::cube<float>>& levels) {
-    std::cout << "errors against the sum over all texels, rms over 96 texels of a level, of its rms radiance\n";
+void compare(const lobe::cube<float>& environment, const std::vector<lobe::cube<float>>& levels) {
+    struct light {
+        vec3 direction, radiance;
+        double solid_angle;
+    };
+    std::vector<light> lights;
+    environment.for_each([&](int face, int column, int row, const vec3& radiance) {
+        lights.push_back({texel_direction(environment.size(), face, column, row), radiance,
+                          lobe::cube_texel_solid_angle<double>(column, row, environment.size())});
+    });
+
+    constexpr int places = 96;
+    std::cout << "errors against the sum over all texels, rms over " << places
+              << " texels of a level, of its rms radiance\n";
     for (std::size_t i = 1; i < levels.size(); ++i) {
         const float roughness = lobe::roughness_of_level(static_cast<float>(i), static_cast<int>(levels.size()));
         const lobe::ggx normals{lobe::alpha<float>::from_roughness(roughness)};
         const int size = levels[i].size();
-        double squares = 0, norm = 0;
-        for (int k = 0; k < 96; ++k) {
-            stop_if_interrupted();
+        std::vector<double> squares(places), norms(places);
+        for_each_row("sums, level " + std::to_string(i), places, [&](int k) {
             const int face = k % 6, x = (k * 7) % size, y = (k * 11) % size;
-            const auto along = [&](int j) { return (static_cast<float>(j) + 0.5f) / static_cast<float>(size); };
-            const vec3 r = lobe::cube_direction(face, glm::vec2{along(x), along(y)});
-            const lobe::frame<float> at(r);
+            const lobe::frame<float> at(texel_direction(size, face, x, y));
             glm::dvec3 total(0);
             double weights = 0;
-            environment.level(0).for_each([&](int f, int column, int row, const vec3& L) {
-                const int n = environment.level(0).size();
-                const auto centre = [&](int j) { return (static_cast<float>(j) + 0.5f) / static_cast<float>(n); };
-                const vec3 l = at.to_local(lobe::cube_direction(f, glm::vec2{centre(column), centre(row)}));
-                if (l.z <= 0) return;
-                const double weight = static_cast<double>(normals.D(l + vec3{0, 0, 1}) * l.z) *
-                                      lobe::cube_texel_solid_angle<double>(column, row, n);
-                total += glm::dvec3(L) * weight;
+            for (const light& from : lights) {
+                const vec3 l = at.to_local(from.direction);
+                if (l.z <= 0) continue;
+                const double weight = static_cast<double>(normals.D(l + vec3{0, 0, 1}) * l.z) * from.solid_angle;
+                total += glm::dvec3(from.radiance) * weight;
                 weights += weight;
-            });
+            }
             const glm::dvec3 exact = total / weights, off = glm::dvec3(levels[i].at(face, x, y)) - exact;
-            squares += lobe::dot(off, off);
-            norm += lobe::dot(exact, exact);
-        }
+            squares[static_cast<std::size_t>(k)] = lobe::dot(off, off);
+            norms[static_cast<std::size_t>(k)] = lobe::dot(exact, exact);
+        });
+        const auto sum = [](const std::vector<double>& terms) {
+            return std::accumulate(terms.begin(), terms.end(), 0.0);
+        };
         std::cout << "  roughness " << std::fixed << std::setprecision(2) << roughness << ": "
-                  << 100 * std::sqrt(squares / norm) << " %\n";
+                  << 100 * std::sqrt(sum(squares) / sum(norms)) << " %\n";
     }
 }
 
@@ -251,9 +296,9 @@ int main(int argc, char** argv) try {
     const options o = parsed(argc, argv);
     std::signal(SIGINT, [](int) { interrupted = 1; });
     std::signal(SIGTERM, [](int) { interrupted = 1; });
-    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                      o.threads ? static_cast<std::size_t>(o.threads)
-                                                : static_cast<std::size_t>(std::thread::hardware_concurrency()));
+    const tbb::global_control threads(
+        tbb::global_control::max_allowed_parallelism,
+        static_cast<std::size_t>(o.threads ? o.threads : tbb::info::default_concurrency()));
     auto map = o.environment.empty() ? studio_light() : load_environment(o.environment);
     const std::string name =
         o.environment.empty() ? "the studio light of the examples" : o.environment.filename().string();
@@ -270,19 +315,18 @@ int main(int argc, char** argv) try {
         for (vec3& c : map.pixels) c = lobe::dimmed(c, o.exposure_clamp);
         map = {map.width, map.height, std::move(map.pixels)};
     }
-    const lobe::rotated turned{map, lobe::rotation<float>::about_up(static_cast<float>(o.rotate / 360))};
-    // as many look-ups a texel as see each texel of the map
-    const int per_axis = std::clamp(map.width / (2 * o.size), 2, 16);
-    std::vector<vec3> pixels(6 * static_cast<std::size_t>(o.size) * static_cast<std::size_t>(o.size));
-    for_each_row("cube, " + std::to_string(o.size), 6 * o.size, [&](int row) {
-        for (int column = 0; column < o.size; ++column) {
-            const auto texel =
-                lobe::cube_texel_mean<float>(turned, o.size, row / o.size, column, row % o.size, per_axis);
-            pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(o.size) +
-                   static_cast<std::size_t>(column)] = texel;
-        }
-    });
-    const lobe::cube_pyramid<float> environment{lobe::cube<float>(o.size, pixels)};
+    const lobe::latlong_pyramid<float> halved{std::move(map)};
+
+    // two look-ups for each texel of the map, of a halved one where these would be more than 16 along a texel's edge
+    std::size_t from = 0;
+    while (halved.level(from).width > 32 * o.size) ++from;
+    const int per_axis = std::max(halved.level(from).width / (2 * o.size), 2);
+    const auto turn = lobe::rotation<float>::about_up(static_cast<float>(o.rotate / 360));
+    const lobe::rotated turned{halved.level(from), turn};
+    const lobe::cube_pyramid<float> environment{
+        filled_cube("cube, " + std::to_string(o.size), o.size, [&](int face, int column, int row) {
+            return lobe::cube_texel_mean<float>(turned, o.size, face, column, row, per_axis);
+        })};
 
     int level = 0;
     const auto chain =
@@ -294,13 +338,12 @@ int main(int argc, char** argv) try {
     std::vector<lobe::cube<float>> cubes;
     for (std::size_t i = 0; i < chain.size(); ++i) cubes.push_back(chain.level(i));
 
-    const auto coarse = lobe::cube_pyramid<float>(environment)
-                            .level(static_cast<std::size_t>(std::max(0, static_cast<int>(std::log2(o.size)) - 5)));
     const lobe::harmonics<float> radiance(environment.level(0), o.harmonics_degree);
-    const lobe::harmonics<float> fine(coarse, 8);
-    const auto of_fine = fine.irradiance();
-    const auto irradiance =
-        lobe::make_cube<float>([&](const vec3& n) { return glm::max(of_fine(n), vec3(0)); }, o.irradiance_size);
+    const auto& coarse = halved.level(halvings(halved, diffuse_texel));
+    const auto irradiance = filled_cube("irradiance", o.irradiance_size, [&](int face, int column, int row) {
+        const vec3 n = texel_direction(o.irradiance_size, face, column, row);
+        return lobe::irradiance(coarse, turn.back(n));
+    });
 
     lobe::dfg_layout layout;
     layout.width = layout.height = o.dfg_size;
@@ -310,7 +353,9 @@ int main(int argc, char** argv) try {
         dfg = lobe::dfg_texels(lobe::smith_correlated{}, layout);
     }
     stop_if_interrupted();
-    if (o.reference) compare(environment, cubes);
+    if (o.reference) compare(environment.level(0), cubes);
+    note_what_halves_lose("prefiltered.ktx2", cubes);
+    note_what_halves_lose("irradiance.ktx2", {irradiance});
 
     const std::string writer = "lobe bake_ibl " + std::string(lobe::version);
     write_ktx2(out.temporary("prefiltered.ktx2"), as_texture(cubes), writer);
@@ -323,11 +368,7 @@ int main(int argc, char** argv) try {
     for (std::size_t i = 0; i < cubes.size(); ++i)
         write_exr(out.temporary("faces_" + std::to_string(i) + ".exr"), strip(cubes[i]),
                   "radiance; faces +x -x +y -y +z -z from the left");
-    double mean = 0;
-    environment.level(0).for_each([&](int, int x, int y, const vec3& c) {
-        mean += static_cast<double>(mean_of_channels(c)) * lobe::cube_texel_solid_angle<double>(x, y, o.size);
-    });
-    const auto exposure = static_cast<float>(0.5 * 4 * lobe::pi<double>() / mean);
+    const float exposure = 0.5f / mean_over_directions(halved.level(0));
     write_png(out.temporary("sheet.png"), contact_sheet(cubes, irradiance, dfg, o.dfg_size, name, exposure));
     stop_if_interrupted();
     out.commit();

@@ -10,7 +10,8 @@ namespace fs = std::filesystem;
 output_folder::output_folder(fs::path folder_, const std::vector<std::string>& names_)
     : folder(std::move(folder_)), names(names_) {
     std::error_code error;
-    made = fs::create_directories(folder, error);
+    for (fs::path p = fs::absolute(folder); !fs::exists(p, error); p = p.parent_path()) made.push_back(p);
+    fs::create_directories(folder, error);
     if (!error && !fs::is_directory(folder, error)) error = std::make_error_code(std::errc::not_a_directory);
     if (error) throw std::runtime_error(folder.string() + ": cannot be the output folder: " + error.message());
 
@@ -26,7 +27,7 @@ output_folder::output_folder(fs::path folder_, const std::vector<std::string>& n
 output_folder::~output_folder() {
     std::error_code ignored;
     for (const std::string& name : names) fs::remove(temporary(name), ignored);
-    if (made) fs::remove(folder, ignored);  // no effect once it holds a file
+    for (const fs::path& p : made) fs::remove(p, ignored);  // no effect once it holds a file
 }
 
 void output_folder::commit() {

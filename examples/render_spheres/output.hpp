@@ -20,5 +20,5 @@ public:
 private:
     std::filesystem::path folder;
     std::vector<std::string> names;
-    bool made;
+    std::vector<std::filesystem::path> made;  // the folder and those above it that were not there
 };

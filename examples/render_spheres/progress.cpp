@@ -1,5 +1,6 @@
 #include "progress.hpp"
 
+#include <cmath>
 #include <cstdio>
 
 #include <unistd.h>
@@ -24,6 +25,13 @@ void step::draw(std::size_t finished) {
     constexpr std::size_t width = 40;
     const std::size_t filled = finished * width / parts;
     const std::string bar = std::string(filled, '#') + std::string(width - filled, '.');
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    std::string left;
+    if (finished > 0)
+        left = ", " +
+               std::to_string(
+                   std::lround(time.count() * static_cast<double>(parts - finished) / static_cast<double>(finished))) +
+               " s left";
     const std::lock_guard lock{drawing};
-    std::fprintf(stderr, "\r  %s [%s] %zu %%", name.c_str(), bar.c_str(), finished * 100 / parts);
+    std::fprintf(stderr, "\r  %s [%s] %zu %%%s\x1b[K", name.c_str(), bar.c_str(), finished * 100 / parts, left.c_str());
 }

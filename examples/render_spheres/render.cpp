@@ -1,11 +1,12 @@
 #include "render.hpp"
 
-#include "lights.hpp"
 #include "progress.hpp"
 #include "random.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <lobe/lobe.hpp>
@@ -19,12 +20,28 @@ const vec3 V{-1, 0, 0};
 // ---- the four ways to light a point
 // -----------------------------------------------------------------------------------
 
-/// What the reference looks up: the map itself, and the small lights in it.
+using light_sampler = lobe::environment_sampler<lobe::latlong<float>>;
+
+/// Samples what is brighter than twice the map's mean: walks find the rest, and a uniform light has no noise.
+std::optional<light_sampler> lights_of(const lobe::latlong<float>& map) {
+    const float floor = 2 * mean_over_directions(map);
+    image excess{map.width, map.height};
+    bool any = false;
+    for (std::size_t i = 0; i < excess.pixels.size(); ++i) {
+        excess.pixels[i] = vec3{std::max(mean_of_channels(map.pixels[i]) - floor, 0.0f)};
+        any |= excess.pixels[i].x > 0;
+    }
+    if (!any) return {};
+    return light_sampler{lobe::latlong<float>{map.width, map.height, std::move(excess.pixels)}};
+}
+
+/// What the reference looks up: the map itself, and its lights to sample.
 struct reference_map {
     const lobe::latlong<float>& radiance;
-    lights bright;
+    std::optional<light_sampler> lights;
 
-    explicit reference_map(const lobe::latlong<float>& environment) : radiance(environment), bright(environment) {}
+    explicit reference_map(const lobe::latlong<float>& environment)
+        : radiance(environment), lights(lights_of(environment)) {}
 };
 
 struct surface {
@@ -59,8 +76,8 @@ vec3 multiple_scattering(const surface& s, const vec3& n) {
 }
 
 /// (d) One sample of the reference: a random walk on the microsurface that looks up the map itself. Walks of one bounce
-/// have a closed form, smith_correlated, whose density is f_cos of a perfect mirror: so these find small lights by
-/// sampling the lights, too (multiple importance sampling, balance heuristic). What the facets do not reflect enters
+/// have a closed form, smith_correlated, whose density is f_cos of a perfect mirror: so these find lights by
+/// sampling them, too (multiple importance sampling, balance heuristic). What the facets do not reflect enters
 /// the body and comes back without a preferred direction: as irradiance, times the albedo.
 vec3 reference_sample(const surface& s, const lobe::frame<float>& at, const vec3& irradiance, sample_stream& uniform) {
     const lobe::ggx normals{s.level.alpha};
@@ -69,17 +86,15 @@ vec3 reference_sample(const surface& s, const lobe::frame<float>& at, const vec3
     const lobe::microfacet mirror{normals, lobe::smith_correlated{}, lobe::perfect_reflector{}};
     const vec3 v = at.to_local(V);
     vec3 radiance{0};
-
-    if (!s.map.bright.empty()) {
-        const float u = uniform(), x = uniform(), y = uniform();
-        const auto light = s.map.bright.sample(u, x, y);
+    if (s.map.lights) {
+        const auto light = s.map.lights->sample({uniform(), uniform()});
         const vec3 l = at.to_local(light.direction);
         radiance = brdf.f_cos(v, l) * s.map.radiance(light.direction) / (light.pdf + mirror.f_cos(v, l));
     }
 
     const auto path = lobe::random_walk{normals, fresnel}.sample(v, uniform);
     const vec3 L = at.to_world(path.l);
-    const float light_pdf = path.order == 1 ? s.map.bright.pdf(L) : 0;
+    const float light_pdf = path.order == 1 && s.map.lights ? s.map.lights->pdf(L) : 0;
     const float share = light_pdf > 0 ? 1 - light_pdf / (light_pdf + mirror.f_cos(v, path.l)) : 1;
     return radiance + share * path.weight * s.map.radiance(L) + s.m.albedo * (1.0f - path.weight) * irradiance;
 }

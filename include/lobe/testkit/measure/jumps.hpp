@@ -80,20 +80,19 @@ private:
         return out;
     }
 
-    /// Intervals across which samples move more than across their neighbours: the second largest of four, for jumps
-    /// come in pairs.
+    /// Intervals across which samples move more than across their neighbours: the median of eight, for jumps come in
+    /// pairs and closer.
     static std::vector<std::size_t> suspects(const scan& s) {
         std::vector<double> apart;
         for (std::size_t i = 0; i + 1 < s.o.size(); ++i) apart.push_back(distance(s.o[i], s.o[i + 1]));
         std::vector<std::size_t> out;
         for (std::size_t i = 0; i < apart.size(); ++i) {
-            double second = 0, first = 0;
-            for (std::size_t k = i < 2 ? 0 : i - 2; k <= (std::min)(i + 2, apart.size() - 1); ++k) {
-                if (k == i) continue;
-                second = (std::max)(second, (std::min)(first, apart[k]));
-                first = (std::max)(first, apart[k]);
-            }
-            if (apart[i] > 2 * second + least && out.size() < 8) out.push_back(i);
+            const std::size_t from = i < 4 ? 0 : i - 4, to = (std::min)(i + 5, apart.size());
+            std::vector<double> beside(apart.begin() + static_cast<std::ptrdiff_t>(from),
+                                       apart.begin() + static_cast<std::ptrdiff_t>(to));
+            const auto middle = beside.begin() + static_cast<std::ptrdiff_t>(beside.size() / 2);
+            std::nth_element(beside.begin(), middle, beside.end());
+            if (apart[i] > 2 * *middle + least && out.size() < 16) out.push_back(i);
         }
         return out;
     }

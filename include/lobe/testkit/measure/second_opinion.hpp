@@ -48,14 +48,14 @@ private:
 
 /// The integrals of a mesh and of each of its leaves, by pairs of random points in every leaf, or part of one, opposite
 /// each other about the centre: what is linear cancels. No bias, however the integrand jumps; the error is what the
-/// rounds say of each other. All else the two have in common.
+/// rounds say of each other. `f` may be random itself, where it takes more numbers than two.
 template <std::size_t N>
 struct opinion {
     estimate<N> all;
     std::vector<double> leaf, variance;  // of the first integral, in the order of mesh.leaves()
 };
-template <std::size_t N>
-opinion<N> second_opinion(const mesh<N>& m) {
+template <std::size_t N, class Integrand>
+opinion<N> second_opinion(const mesh<N>& m, const Integrand& f) {
     generator random(12);
     const std::vector<std::size_t> leaves = m.leaves();
     // of a leaf's side
@@ -72,8 +72,7 @@ opinion<N> second_opinion(const mesh<N>& m) {
             for (int part = 0; part < parts * parts; ++part) {
                 const double x0 = c.x0 + part % parts * width, y0 = c.y0 + part / parts * height, x = random(),
                              y = random();
-                const auto a = m.at(x0 + x * width, y0 + y * height),
-                           b = m.at(x0 + (1 - x) * width, y0 + (1 - y) * height);
+                const auto a = f(x0 + x * width, y0 + y * height), b = f(x0 + (1 - x) * width, y0 + (1 - y) * height);
                 for (std::size_t k = 0; k < N; ++k) {
                     sum[k] += half * (a[k] + b[k]);
                     largest[k] = (std::max)(largest[k], half * (std::abs(a[k]) + std::abs(b[k])));
@@ -92,6 +91,10 @@ opinion<N> second_opinion(const mesh<N>& m) {
     for (const rounds_of& r : of_leaf)
         out.leaf.push_back(r.mean()), out.variance.push_back(r.standard_error() * r.standard_error());
     return out;
+}
+template <std::size_t N>
+opinion<N> second_opinion(const mesh<N>& m) {
+    return second_opinion(m, [&m](double x, double y) { return m.at(x, y); });
 }
 
 /// Integrals by a rule, and by chance when somebody doubts them.

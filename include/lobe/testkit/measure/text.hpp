@@ -40,6 +40,11 @@ private:
 };
 
 inline std::string number(double x, int digits = 6) { return std::string(line{}.number(x, digits).text()); }
+/// A share as "12 %": two digits, or whole ones.
+inline std::string percent(double share) {
+    const double x = 100 * share;
+    return (std::abs(x) < 99.5 ? number(x, 2) : number(std::round(x))) + " %";
+}
 
 template <class T>
 void write_literal(line& out, T x) {

@@ -40,7 +40,7 @@ void areas(distribution<T>& n, report& r) {
     if (!n.raw.lambda) return;
     comparison<T> both(id::area_by_lambda, n.claims.tolerance, "the two are formulas of different widths or models");
     for (const V& v : n.views(false))
-        both.add(static_cast<double>(v.z) * (1 + n.raw.lambda(v)), n.area(v), {.v = v, .has_l = false});
+        both.add(n.area(v), static_cast<double>(v.z) * (1 + n.raw.lambda(v)), {.v = v, .has_l = false});
     both.report_to(r, [&](const place<T>& at, std::size_t) {
         return 2 * rounding_noise<T>([&](const V& v, const V&) { return n.raw.area(v); }, at);
     });

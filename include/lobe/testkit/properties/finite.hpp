@@ -33,8 +33,8 @@ namespace detail {
 template <class T>
 void report_values(report& r, const watch<T>& seen, const id::of_values& of, const std::string& why_below = "") {
     const auto share = [&](long n) {
-        return " (" + number(100.0 * static_cast<double>(n) / static_cast<double>((std::max)(seen.calls, 1L)), 3) +
-               " % of the calls)";
+        return " (" + percent(static_cast<double>(n) / static_cast<double>((std::max)(seen.calls, 1L))) +
+               " of the calls)";
     };
     const auto add = [&](const property_id& property, const typename watch<T>::fault& f, const std::string& meaning) {
         r.add(property, {.passed = f.count == 0,

@@ -111,8 +111,12 @@ public:
             const double excess = std::abs(s.measured - s.expected) / limit;
             if (excess > 1) {
                 wrong_ones.push_back(s);
-                wrong.push_back(
-                    {ratio_of(s.measured, s.expected), vec3<double>(s.at.v), vec3<double>(s.at.l), limit / size});
+                wrong.push_back({.ratio = ratio_of(s.measured, s.expected),
+                                 .v = vec3<double>(s.at.v),
+                                 .l = vec3<double>(s.at.l),
+                                 .allowed = limit / size,
+                                 .expected = s.expected,
+                                 .rest = same(s.part, 0) ? 0 : s.measured / s.part});
             }
             if (excess > worst) worst = excess, allowed = limit, at = s;
         }
@@ -173,15 +177,14 @@ private:
         std::size_t above = 0;
         for (const double c : lowest_cosines.kept) above += c > below;
         const bool far_above = 3 * above > lowest_cosines.kept.size();
-        if (far_above && below < 2e-3 && ones.size() >= 3)
-            return "only where n.v or n.l is below " + number(below, 2) + " (" + number(100 * below, 2) +
-                   " % of all directions): a floor of a cosine, max(n.v, epsilon), or an epsilon added to one";
+        if (far_above && below < 0.1 && ones.size() >= 3)
+            return "only where n.v or n.l is below " + number(below, 2) + " (" + percent(below) +
+                   " of all directions): a floor of a cosine, max(n.v, epsilon), or an epsilon added to one" +
+                   (below < 2e-3 ? "" : "; else " + otherwise);
         if (typical > 0.01 || (typical > tolerance && share < 0.5))
-            return otherwise + "; rounding moves the value by " + number(100 * typical, 2) +
-                   " % there: a cancellation, 1 - c*c or c*c*(a*a - 1) + 1?";
-        return otherwise + (far_above && below < 0.1 && ones.size() >= 3
-                                ? ", only where n.v or n.l is below " + number(below, 2)
-                                : ", at " + number(100 * share, 2) + " % of the places looked at");
+            return otherwise + "; rounding moves the value by " + percent(typical) +
+                   " there: a cancellation, 1 - c*c or c*c*(a*a - 1) + 1?";
+        return otherwise + ", at " + percent(share) + " of the places looked at";
     }
 
     void keep_largest() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lobe/core/vector.hpp>
+#include <lobe/testkit/measure/numbers.hpp>
 #include <lobe/testkit/measure/text.hpp>
 
 #include <algorithm>
@@ -14,9 +15,10 @@ namespace lobe::testkit::detail {
 
 /// measured / expected, where, and how far from 1 it may be there.
 struct ratio_at {
-    double ratio;
-    vec3<double> v, l;
-    double allowed = 0;
+    double ratio = 1;
+    vec3<double> v{}, l{};
+    double allowed = 0, expected = 0;
+    double rest = 0;  // of a product, what is measured over its known part: of weight * pdf, the pdf
 };
 inline double ratio_of(double measured, double expected) {
     return std::abs(expected) > 1e-100 * std::abs(measured) ? measured / expected : measured < 0 ? -1e100 : 1e100;
@@ -76,9 +78,9 @@ inline std::string wrong_factor(const std::vector<ratio_at>& ratios, double shar
             telling += std::abs(factor - 1) > 0.03;
         }
         if (10 * agree >= 9 * ratios.size() && 2 * telling > ratios.size())
-            return std::string(c.meaning) + (share_that_fails > 0.5 ? std::string()
-                                                                    : ", at " + number(100 * share_that_fails, 2) +
-                                                                          " % of the places looked at");
+            return std::string(c.meaning) + (share_that_fails > 0.5
+                                                 ? std::string()
+                                                 : ", at " + percent(share_that_fails) + " of the places looked at");
     }
     // 1 and something, with what may be off anyway: a factor of 1.012 is the same as 1.0122, not as 1.003.
     std::vector<double> sorted;
@@ -91,31 +93,61 @@ inline std::string wrong_factor(const std::vector<ratio_at>& ratios, double shar
         (std::max)(0.01 * std::abs(middle - 1), (std::min)(0.25 * std::abs(middle - 1), loose / 4));
     if (high - low > same_within) return "";
     if (share_that_fails > 0.9) return "the same factor " + number(middle) + " wherever it fails: a constant is wrong";
-    return "the same factor " + number(middle) + ", at " + number(100 * share_that_fails, 2) +
-           " % of the places looked at: a constant of one part, or within one range of directions";
+    return "the same factor " + number(middle) + ", at " + percent(share_that_fails) +
+           " of the places looked at: a constant of one part, or within one range of directions";
 }
 
-/// An epsilon that is added to n.v n.l, or to one of the two, in a denominator shows: its share of the value is
-/// inversely proportional to the cosine. Empty where there is none.
+/// An epsilon that is added to something, in a denominator or in a factor, shows: it is the same at all places. Empty
+/// where there is none.
 inline std::string added_epsilon(const std::vector<ratio_at>& ratios) {
-    if (ratios.size() < 8) return "";
-    const auto constant = [&](const auto& cosine_of) {
-        std::vector<double> eps;
-        double least = 1, most = 0;
-        for (const ratio_at& r : ratios) {
-            const double cosine = cosine_of(r);
-            eps.push_back(((std::max)(r.ratio, 1 / r.ratio) - 1) * cosine);
-            least = (std::min)(least, cosine), most = (std::max)(most, cosine);
-        }
-        std::sort(eps.begin(), eps.end());
-        const std::size_t n = eps.size();
-        const bool is = most > 3 * least && eps[n / 2] > 0 && eps[n - 1 - n / 10] - eps[n / 10] < 0.1 * eps[n / 2];
-        return is ? number(eps[n / 2], 2) : "";
+    using R = const ratio_at&;
+    // (x + epsilon)/x, or x/(x - epsilon) for a negative one
+    static constexpr auto of = [](R r, double x) { return r.ratio > 1 ? (r.ratio - 1) * x : (1 - 1 / r.ratio) * x; };
+    struct suspicion {
+        double (*epsilon)(R);
+        double (*to)(R);  // it varies, else a constant is wrong
+        const char *if_positive, *if_negative;
     };
-    const std::string of_both = constant([](const ratio_at& r) { return r.v.z * r.l.z; });
-    if (!of_both.empty()) return "as if " + of_both + " were added to n.v n.l in a denominator";
-    const std::string of_one = constant([](const ratio_at& r) { return (std::min)(r.v.z, r.l.z); });
-    return of_one.empty() ? "" : "as if " + of_one + " were added to n.v, or n.l, in a denominator";
+    static const suspicion all[] = {
+        {[](R r) { return of(r, r.v.z * r.l.z); }, [](R r) { return r.v.z * r.l.z; },
+         "n.v n.l, in a factor on the left, or a denominator on the right",
+         "n.v n.l, in a denominator on the left, or a factor on the right"},
+        {[](R r) { return of(r, r.v.z); }, [](R r) { return r.v.z; },
+         "n.v, in a factor on the left, or a denominator on the right",
+         "n.v, in a denominator on the left, or a factor on the right"},
+        {[](R r) { return of(r, r.l.z); }, [](R r) { return r.l.z; },
+         "n.l, in a factor on the left, or a denominator on the right",
+         "n.l, in a denominator on the left, or a factor on the right"},
+        {[](R r) { return of(r, length(r.v + r.l) / 2); }, [](R r) { return length(r.v + r.l) / 2; },
+         "v.m, in a factor on the left, or a denominator on the right",
+         "v.m, in a denominator on the left, or a factor on the right"},
+        {[](R r) { return of(r, r.rest); }, [](R r) { return r.rest; }, "the pdf of a sample",
+         "the pdf that a sample's weight is divided by"},
+        {[](R r) { return (r.ratio - 1) * r.expected; }, [](R r) { return r.expected; }, "the left", "the right"},
+        // f(v,l)/f(l,v) = (n.v + epsilon)/n.v n.l/(n.l + epsilon), or its inverse
+        {[](R r) {
+             const bool inverse = (r.ratio < 1) == (r.v.z < r.l.z);
+             const double q = inverse ? r.ratio : 1 / r.ratio;
+             return (inverse ? -1 : 1) * r.v.z * r.l.z * (1 - q) / (q * r.l.z - r.v.z);
+         },
+         [](R r) { return (std::min)(r.v.z, r.l.z); }, "n.v in a factor, or to n.l in a denominator",
+         "n.v in a denominator, or to n.l in a factor"},
+    };
+    if (ratios.size() < 8) return "";
+    std::string out;
+    double least_spread = 0.1;
+    for (const suspicion& s : all) {
+        std::vector<double> epsilon, to;
+        for (const ratio_at& r : ratios) epsilon.push_back(computable(s.epsilon(r))), to.push_back(s.to(r));
+        std::sort(epsilon.begin(), epsilon.end());
+        const auto [least, most] = std::minmax_element(to.begin(), to.end());
+        const std::size_t n = ratios.size();
+        const double middle = epsilon[n / 2], spread = (epsilon[n - 1 - n / 10] - epsilon[n / 10]) / std::abs(middle);
+        if (!(*least > 0) || !(*most > 3 * *least) || !(spread < least_spread)) continue;
+        least_spread = spread;
+        out = "as if " + number(std::abs(middle), 2) + " were added to " + (middle > 0 ? s.if_positive : s.if_negative);
+    }
+    return out;
 }
 
 }  // namespace lobe::testkit::detail

@@ -49,10 +49,10 @@ public:
     void add(const view_result& one) {
         const double excess = excess_of(one);
         if (excess > 1) {
-            wrong.push_back({ratio_of(one.measured, one.expected),
-                             one.v,
-                             {0, 0, 1},
-                             one.allowed / (std::max)(1e-30, std::abs(one.expected))});
+            wrong.push_back({.ratio = ratio_of(one.measured, one.expected),
+                             .v = one.v,
+                             .l = {0, 0, 1},
+                             .allowed = one.allowed / (std::max)(1e-30, std::abs(one.expected))});
             lowest_wrong = (std::min)(lowest_wrong, one.v.z), highest_wrong = (std::max)(highest_wrong, one.v.z);
         } else {
             lowest_right = (std::min)(lowest_right, one.v.z), highest_right = (std::max)(highest_right, one.v.z);
@@ -80,19 +80,25 @@ private:
             return "the same albedo from everywhere, " + number(times, 3) +
                    ": a missing 1/pi (it is plausible once divided by pi), or an albedo above 1";
         if (std::string factor = wrong_factor(wrong, share); !factor.empty() && (!upper_bound || share > 0.9))
-            return factor;
+            return factor.starts_with("the same") ? factor + ", or the same number is added to all values" : factor;
         std::string why = result.measured < result.expected && !too_small.empty() ? too_small : otherwise;
         if (most_rounding > 0.01)
-            why = "rounding moves it by up to " + number(100 * most_rounding, 2) +
-                  " %: a cancellation, 1 - c*c or c*c*(a*a - 1) + 1 (is the same in double right?), or " + why;
-        const std::string by = ", by up to " + number(100 * std::abs(times - 1), 2) + " %";
-        if (share > 0.9 && times > 1.5)
-            return number(times, 3) + " times, from everywhere: a missing 1/pi, 1/2 or 1/4, or " + why;
+            why = "rounding moves it by up to " + percent(most_rounding) +
+                  ": a cancellation, 1 - c*c or c*c*(a*a - 1) + 1 (is the same in double right?), or " + why;
+        const std::string by = ", by up to " + percent(std::abs(times - 1));
+        if (share > 0.9 && least_ratio() > 1.5)
+            return number(least_ratio(), 3) + " times and more, from everywhere: a missing 1/pi, 1/2 or 1/4, or " + why;
+        if (share > 0.99) return count > 1 ? "from everywhere" + by + ": " + why : why;
         if (highest_wrong < lowest_right)
             return "only at grazing, n.v at most " + number(highest_wrong, 2) + by + ": " + why;
         if (lowest_wrong > highest_right)
             return "only near the normal, n.v at least " + number(lowest_wrong, 2) + by + ": " + why;
         return why;
+    }
+    double least_ratio() const {
+        double least = 1e300;
+        for (const ratio_at& r : wrong) least = (std::min)(least, r.ratio);
+        return least;
     }
     double off(const view_result& one) const {
         return upper_bound ? one.measured - one.expected : std::abs(one.measured - one.expected);

@@ -45,9 +45,9 @@ public:
     void report_to(report&) override {}
     std::string clue() const {
         if (one_direction > 0.1)
-            return number(100 * one_direction, 3) + " % of the samples from one v are one and the same direction: a "
-                                                    "perfect mirror, or a lobe without width, which no "
-                                                    "density describes; give it a small roughness, or leave it out";
+            return percent(one_direction) + " of the samples from one v are one and the same direction: a "
+                                            "perfect mirror, or a lobe without width, which no "
+                                            "density describes; give it a small roughness, or leave it out";
         if (this->b.most_samples_are_lost()) return most_are_lost;
         for (std::size_t i = 0; i < std::size(turns); ++i)
             if (turned >= 20 && 10 * turned_right[i] > 9 * turned)
