@@ -57,6 +57,10 @@ void make_parameters(inputs& in, random_numbers& random) {
         p.length[i] = static_cast<float>(random.between(0.8, 1));
         p.eta[i] = static_cast<float>(random.between(1.3, 2.5));
         p.f0[i] = lobe::f0_from_ior(p.eta[i]);
+        const double c = in.v_m[i], n = p.eta[i], K = std::sqrt(n * n - 1 + c * c) - c;
+        store(lobe::vec3<double>{-(in.vx[i] + K * in.mx[i]) / n, -(in.vy[i] + K * in.my[i]) / n,
+                                 -(in.vz[i] + K * in.mz[i]) / n},
+              p.refracted, i);
         for (stream<float>& slope : p.slopes) slope[i] = static_cast<float>(random.between(-0.2, 0.2));
 
         const auto& metal = metals[i % 5];

@@ -41,6 +41,7 @@ struct alignas(4096) parameters {
     stream<float> roughness;  // sqrt of a
     stream<float> length;     // of a mean normal
     stream<float> eta, f0;    // of a glass
+    rgb refracted;            // where the normal m sends v through it
     rgb metal_eta, metal_k;   // one of the five of lobe::materials
     // Fresnel's reflectance along the normal, and that at 82 degrees over Schlick's
     rgb metal_F0, metal_tint;

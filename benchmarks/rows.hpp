@@ -68,12 +68,13 @@ std::vector<section> foundation_sections();
 std::vector<section> distribution_models();
 std::vector<section> brdf_part_models();
 std::vector<section> sampler_models();
+std::vector<section> glass_models();
 std::vector<section> other_models();
 std::vector<section> point_set_models();
 inline std::vector<section> model_sections() {
     std::vector<section> all;
-    for (const auto& models :
-         {distribution_models(), brdf_part_models(), sampler_models(), point_set_models(), other_models()})
+    for (const auto& models : {distribution_models(), brdf_part_models(), sampler_models(), glass_models(),
+                               point_set_models(), other_models()})
         all.insert(all.end(), models.begin(), models.end());
     return all;
 }

@@ -22,8 +22,9 @@ MAY_INCLUDE = {
     "width": BASE,
     "ndf": BASE | {"width", "sampling"},
     "brdf": MODELS,
+    "bsdf": MODELS,
     "lights": MODELS,
-    "energy": MODELS,
+    "energy": MODELS | {"bsdf"},
     "ibl": MODELS | {"energy"},
     "testkit/measure": BASE | {"sampling"},
     "testkit/subject": BASE | {"testkit/measure"},
@@ -32,7 +33,7 @@ MAY_INCLUDE = {
     "testkit": BASE | {"testkit/measure", "testkit/subject", "testkit/verdict", "testkit/properties"},
 }
 HEAVY = re.compile(r"\s*#\s*include\s*<(iostream|random|functional|glm/glm\.hpp)>")
-LIGHT_ROOMS = {"core", "numeric", "ndf", "fresnel", "brdf", "sampling", "lights"}
+LIGHT_ROOMS = {"core", "numeric", "ndf", "fresnel", "brdf", "bsdf", "sampling", "lights"}
 
 found = []
 

@@ -8,6 +8,7 @@
 #include <lobe/core/spectrum.hpp>
 #include <lobe/core/vector.hpp>
 
+#include <lobe/numeric/beta_ratio.hpp>
 #include <lobe/numeric/gauss_legendre.hpp>
 #include <lobe/numeric/integrals.hpp>
 #include <lobe/numeric/precision.hpp>
@@ -68,11 +69,20 @@
 #include <lobe/brdf/sum.hpp>
 #include <lobe/brdf/v_cavity.hpp>
 
+#include <lobe/bsdf/concepts.hpp>
+#include <lobe/bsdf/masking.hpp>
+#include <lobe/bsdf/refraction.hpp>
+#include <lobe/bsdf/rough_dielectric.hpp>
+#include <lobe/bsdf/smooth_dielectric.hpp>
+#include <lobe/bsdf/thin_dielectric.hpp>
+#include <lobe/bsdf/tinted.hpp>
+
 #include <lobe/lights/punctual.hpp>
 
 #include <lobe/energy/albedo.hpp>
 #include <lobe/energy/anisotropic_dfg.hpp>
 #include <lobe/energy/compensated.hpp>
+#include <lobe/energy/compensated_dielectric.hpp>
 #include <lobe/energy/default_dfg.hpp>
 #include <lobe/energy/dfg.hpp>
 #include <lobe/energy/dfg_export.hpp>
@@ -80,11 +90,14 @@
 #include <lobe/energy/dfg_published.hpp>
 #include <lobe/energy/dfg_table.hpp>
 #include <lobe/energy/fdez_aguera.hpp>
+#include <lobe/energy/interface_albedo.hpp>
+#include <lobe/energy/interface_walk.hpp>
 #include <lobe/energy/kulla_conty.hpp>
 #include <lobe/energy/metallic_roughness.hpp>
 #include <lobe/energy/multiple_scattering.hpp>
 #include <lobe/energy/quadrature.hpp>
 #include <lobe/energy/random_walk.hpp>
+#include <lobe/energy/refraction_quadrature.hpp>
 #include <lobe/energy/smith_multiscatter.hpp>
 #include <lobe/energy/turquin.hpp>
 

@@ -60,6 +60,18 @@ constexpr T of_brdf(const B& b, const input<T>& in) {
     return total;
 }
 
+/// The same of an interface, from both sides.
+template <class B, class T>
+constexpr T of_bsdf(const B& b, const input<T>& in) {
+    const auto from = [&](const lobe::vec3<T>& v) {
+        const auto s = b.sample(v, {in.u.x, in.u.y, in.x});
+        const auto e = b.evaluate(v, s.l);
+        return number(s.l) + number(s.weight) + s.pdf + number(e.f_cos) + e.pdf + b.pdf(v, in.l) +
+               number(b.f(v, in.l)) + number(b.f_cos(v, in.l));
+    };
+    return from(in.v) + from(-in.v);
+}
+
 /// A distribution, and the BRDF that it makes with what it can be sampled by.
 template <class N, class T>
 constexpr T of_facets(const N& ndf, const input<T>& in) {

@@ -37,6 +37,15 @@ constexpr void for_each_crease(const Part& part, const G& g) {
     if constexpr (requires { part.for_each_crease(g); }) part.for_each_crease(g);
 }
 
+/// Does it say `transmits`? Then it scatters to both sides, and is no BRDF.
+template <class B>
+constexpr bool transmitting() {
+    if constexpr (requires { bool(B::transmits); })
+        return B::transmits;
+    else
+        return false;
+}
+
 }  // namespace detail
 
 /// A BRDF: `f_cos(v, l)` is f(v,l) cos(theta_l), zero where v or l is below the horizon. `width()` is the scale of its
@@ -44,7 +53,8 @@ constexpr void for_each_crease(const Part& part, const G& g) {
 /// Parameters outside their domain end in an assert; where asserts are compiled out,
 /// results mean nothing: NaN, or some number.
 template <class B>
-concept brdf = scalar<typename B::scalar> && requires(const B b, const vec3<typename B::scalar> w) {
+concept brdf =
+    scalar<typename B::scalar> && !detail::transmitting<B>() && requires(const B b, const vec3<typename B::scalar> w) {
     typename B::spectrum;
     { B::isotropic } -> std::convertible_to<bool>;
     { b.f_cos(w, w) } -> std::same_as<typename B::spectrum>;

@@ -112,31 +112,46 @@ struct crowded {
     }
 };
 
+/// A direction of slopes at which the rule is cut, on both sides of the azimuth of v: its part along v's azimuth, and
+/// the square of that across it; none if that is not positive.
+template <class W>
+struct azimuth_mark {
+    W along, across2;
+};
+
+/// Of creases v.m = c, of reflection: where c is on the horizon, and where a ray touches the circle.
+template <class W>
+std::vector<azimuth_mark<W>> reflection_marks(const std::vector<W>& creases, const vec3<W>& v) {
+    using std::sqrt;
+    std::vector<azimuth_mark<W>> marks;
+    const W s = sqrt(v.x * v.x + v.y * v.y);
+    if (s > W(0))
+        for (const W& c : creases) {
+            // v.l on the circle, and of an l on the horizon the part along v
+            const W h = W(2) * c * c - W(1), out = h / s;
+            marks.push_back({-(s + out), W(1) - out * out});
+            const W q = (c - v.z) * (c + v.z);  // n outside of the circle: rays touch it
+            if (q > W(0)) marks.push_back({-sqrt(q), s * s - q});
+        }
+    return marks;
+}
+
 /// Where each quarter of the circle is cut, as angles delta from the azimuth at which the horizon bends. See
 /// `hemisphere_integral_at`.
 template <class W>
-std::array<std::vector<W>, 4> azimuths_of(const std::vector<W>& creases, const vec3<W>& v, const vec2<W>& width,
-                                          const vec2<W>& toward) {
+std::array<std::vector<W>, 4> azimuths_of(const std::vector<azimuth_mark<W>>& marks, const vec3<W>& v,
+                                          const vec2<W>& width, const vec2<W>& toward) {
     using std::abs, std::atan2, std::sqrt;
     std::array<std::vector<W>, 4> deltas;
     for (auto& quarter : deltas) quarter.push_back(W(0));
-    const W s = sqrt(v.x * v.x + v.y * v.y);
-    const auto add = [&](const W& along, const W& across2) {  // of d, to the azimuth of v
-        if (!(across2 > W(0))) return;
+    for (const auto& [along, across2] : marks) {
+        if (!(across2 > W(0))) continue;
         for (const W& across : {sqrt(across2), -sqrt(across2)}) {
             const W x = (along * v.x - across * v.y) / width.x, y = (along * v.y + across * v.x) / width.y;
             const W cosine = x * toward.x + y * toward.y, sine = y * toward.x - x * toward.y;
             deltas[(cosine < W(0) ? 1u : 0u) + (sine < W(0) ? 2u : 0u)].push_back(atan2(abs(cosine), abs(sine)));
         }
-    };
-    if (s > W(0))
-        for (const W& c : creases) {
-            // v.l on the circle, and of an l on the horizon the part along v
-            const W h = W(2) * c * c - W(1), out = h / s;
-            add(-(s + out), W(1) - out * out);
-            const W q = (c - v.z) * (c + v.z);  // n outside of the circle: rays touch it
-            if (q > W(0)) add(-sqrt(q), s * s - q);
-        }
+    }
     for (auto& quarter : deltas) {
         quarter.push_back(pi<W>() / W(2));
         std::sort(quarter.begin(), quarter.end());
@@ -305,7 +320,7 @@ auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, 
             if (evaluations) *evaluations += static_cast<int>(slopes.size() * azimuths.size());
         }
     };
-    const auto cuts = azimuths_of(creases, view, vec2<W>{wx, wy}, vec2<W>{toward_x, toward_y});
+    const auto cuts = azimuths_of(reflection_marks(creases, view), view, vec2<W>{wx, wy}, vec2<W>{toward_x, toward_y});
     for (int quarter = 0; quarter < (mirrored ? 2 : 4); ++quarter) {
         const auto& deltas = cuts[static_cast<std::size_t>(quarter)];
         if (deltas.size() == 2)

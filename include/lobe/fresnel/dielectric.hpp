@@ -5,6 +5,24 @@
 
 namespace lobe {
 
+namespace detail {
+
+/// Fresnel's reflectance from e = eta^2 - 1, which is all it depends on (-> `dielectric`). (Inlined by force:
+/// docs/design.md.)
+template <scalar T>
+[[gnu::always_inline]] constexpr T dielectric_reflectance(const T& e, const T& c) {
+    using std::sqrt;
+    const T c2 = c * c, s2 = (T(1) - c) * (T(1) + c);
+    const T g2 = e + c2;
+    const auto real = g2 > T(0);
+    const T g = sqrt(select(real, g2, T(1))), gc = g * c;
+    const T rs = quotient(real, e, e + T(2) * (c2 + gc));
+    const T p = (gc - s2) / (gc + s2);
+    return select(real, rs * rs * (T(1) + p * p) / T(2), T(1));
+}
+
+}  // namespace detail
+
 /// With c = v.h, s^2 = 1 - c^2 and g = sqrt(eta^2 - s^2):
 ///   Rs = ((g - c)/(g + c))^2,  Rp = Rs ((g c - s^2)/(g c + s^2))^2,  F = (Rs + Rp)/2,  and F = 1 where g is not real.
 /// Cook & Torrance 1982 and Walter et al. 2007, eq. 22, with (g - c)/(g + c) = e/(g + c)^2, e = eta^2 - 1,
@@ -65,15 +83,9 @@ public:
     }
 
 private:
-    static constexpr T reflectance(const T& n, const T& c) {
-        using std::sqrt;
-        const T d = n - T(1), e = d * d + T(2) * d, c2 = c * c, s2 = (T(1) - c) * (T(1) + c);
-        const T g2 = e + c2;
-        const auto real = g2 > T(0);
-        const T g = sqrt(select(real, g2, T(1))), gc = g * c;
-        const T rs = quotient(real, e, e + T(2) * (c2 + gc));
-        const T p = (gc - s2) / (gc + s2);
-        return select(real, rs * rs * (T(1) + p * p) / T(2), T(1));
+    [[gnu::always_inline]] static constexpr T reflectance(const T& n, const T& c) {
+        const T d = n - T(1);
+        return detail::dielectric_reflectance(T(d * d + T(2) * d), c);
     }
 
     /// Walsh's equation has poles at n = 1 that cancel. Written in x = |n - 1|/(n + 1) they cancel by algebra, and what
