@@ -42,11 +42,11 @@ struct ggx_profile {
 
     /// Spherical caps: v plus a direction uniform on the cap that v's mirror image sees. Dupuy & Benyoub 2023,
     /// "Sampling Visible GGX Normals with Spherical Caps", listing 3, here with the sine of the cap from components:
-    /// its sqrt(1 - z^2) is wrong by up to 17 times for small u.x in float. Of a v of any length |v| times that.
+    /// its sqrt(1 - z^2) is wrong by up to 17 times for small u.x in float.
     constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const {
         using std::sqrt;
-        const T sine2 = v.x * v.x + v.y * v.y, sum = sqrt(sine2 + v.z * v.z) + absolute(v.z);
-        const T height = select(v.z < T(0), sine2 / sum, sum);  // |v| + v.z
+        const T sine2 = v.x * v.x + v.y * v.y, sum = T(1) + absolute(v.z);
+        const T height = select(v.z < T(0), sine2 / sum, sum);  // 1 + v.z
         const T z = (T(1) - u.x) * height;
         const T r = sqrt(u.x * (height * z + sine2));
         const auto [s, c] = sincos_2pi(u.y);

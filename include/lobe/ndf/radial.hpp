@@ -16,7 +16,7 @@ namespace lobe {
 /// - `tan2(u)`: the tau at which survival is 1 - u;
 /// - `as<U>()`: the same in another scalar type, double where T is float.
 /// (Of packs it need not have more than D.) A shape whose slopes are bounded, or might as well be, says `max_tan2()`.
-/// One that can draw visible normals itself has `sample_visible(v, u)`, of unit v.
+/// One that can draw visible normals itself has `sample_visible(v, u)`.
 template <class S, class T>
 concept radial_shape = requires(const S shape, const T x) {
     { shape.D(x, x) } -> std::same_as<T>;
@@ -188,11 +188,10 @@ public:
     constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const
         requires(detail::one_lane<T>&& radial_shape_with_area<Shape, T> &&
                  !requires { typename Shape::approximate_area; }) {
-        const vec3<T> view = normalize(v);
-        if constexpr (requires { shape_.sample_visible(view, u); })
-            return shape_.sample_visible(view, u);
+        if constexpr (requires { shape_.sample_visible(v, u); })
+            return shape_.sample_visible(v, u);
         else
-            return detail::sample_visible_by_quadrature(shape_, view, u);
+            return detail::sample_visible_by_quadrature(shape_, v, u);
     }
 
 private:

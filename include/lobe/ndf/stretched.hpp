@@ -9,14 +9,14 @@ namespace lobe {
 /// projected area and its samples: Heitz 2014, "Understanding the Masking-Shadowing Function", section 5.3.
 ///
 ///   D(m)     = D1(unstretch m) * density_ratio(m)      sigma(w) = sigma1(stretch w)
-///   normal   = normalize(stretch(normal of width 1))   visible normal: the same, seen from stretch v
+///   normal   = normalize(stretch(normal of width 1))   visible normal: the same, seen from normalize(stretch v)
 ///
 /// A `Profile` says what its surface of width 1 does:
 /// - `D(m)` of any positive multiple of m, or `D(m, width)` of the stretched surface where that rounds less;
 /// and, where it can,
 /// - `projected_area(w)`, homogeneous: the area seen from w/|w|, times |w|;
 /// - `lambda(w)` of any positive multiple of w;
-/// - `sample(u)`, `sample_visible(v, u)`, of any positive multiple of v: any positive multiple of the normal.
+/// - `sample(u)`, `sample_visible(v, u)` (unit v): any positive multiple of the normal.
 template <class Profile, class Width>
 class stretched {
     using T = typename Width::scalar;
@@ -73,7 +73,7 @@ public:
     /// 1e-6 for 99.9 % of the square, more (4e-4 at alpha 1e-4) where grazing facets close at u.x = 1.
     [[gnu::always_inline]] constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const
         requires(requires(const Profile p) { p.sample_visible(v, u); }) {
-        return normalize(widths_.stretch(profile_.sample_visible(widths_.stretch(v), u)));
+        return normalize(widths_.stretch(profile_.sample_visible(normalize(widths_.stretch(v)), u)));
     }
     constexpr T pdf_visible(const vec3<T>& v, const vec3<T>& m) const
         requires(requires(const Profile p) { p.projected_area(v); }) {
