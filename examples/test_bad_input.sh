@@ -115,7 +115,7 @@ refused --samples "range" good.exr --samples 0
 refused --nonsense "expected|--nonsense" good.exr --nonsense
 
 # And a good file is not refused.
-if "$program" good.exr --out out --tile 32 --samples 16 >/dev/null && [[ $(ls -A out | sort | xargs) == "furnace.exr furnace.png spheres.exr spheres.png" ]]; then
+if "$program" good.exr --out out --tile 32 --samples 16 >/dev/null && [[ $(ls -A out | sort | xargs) == "furnace.exr furnace.png glass.exr glass.png glass_furnace.exr glass_furnace.png spheres.exr spheres.png" ]]; then
     passed=$((passed + 1)) && echo "ok    a good file renders"
 else
     failed=$((failed + 1)) && echo "WRONG a good file is refused, or its output is incomplete"

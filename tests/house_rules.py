@@ -26,6 +26,7 @@ MAY_INCLUDE = {
     "lights": MODELS,
     "energy": MODELS | {"bsdf"},
     "ibl": MODELS | {"energy"},
+    "shader": MODELS | {"energy"},
     "testkit/measure": BASE | {"sampling"},
     "testkit/subject": BASE | {"testkit/measure"},
     "testkit/verdict": BASE | {"testkit/measure", "testkit/subject"},

@@ -4,7 +4,7 @@
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 source "$root/scripts/setup.sh"
-need cmake ninja-build g++ clang libglm-dev catch2 libboost-dev libxsimd-dev libgtest-dev
+need cmake ninja-build g++ clang libglm-dev catch2 libboost-dev libxsimd-dev libgtest-dev glslang-tools spirv-tools libvulkan-dev mesa-vulkan-drivers
 
 presets=("$@")
 labels=()

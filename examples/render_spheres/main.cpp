@@ -1,15 +1,19 @@
 // Spheres under image-based light: the split sum, the split sum with multiple scattering, and the truth, side by side.
+// Balls of glass: single scattering, compensated, and the truth.
 
 #include "bake.hpp"
 #include "environment.hpp"
 #include "font.hpp"
+#include "glass.hpp"
 #include "output.hpp"
 #include "picture.hpp"
 #include "render.hpp"
 #include "report.hpp"
 
 #include <exception>
+#include <iomanip>
 #include <iostream>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
 
@@ -23,7 +27,7 @@ struct options {
 options parsed(int argc, char** argv) {
     options o;
     CLI::App app{"Renders spheres under a lat-long environment and in a white furnace: split sum, multiple scattering, "
-                 "reference."};
+                 "reference. Balls of glass."};
     app.add_option("environment", o.environment,
                    "Radiance HDR or OpenEXR, width = 2 x height; without it: a studio made here");
     app.add_option("--out", o.out, "folder for the pictures")->capture_default_str();
@@ -53,6 +57,36 @@ const std::vector<float> roughnesses = [] {
 const material gold{"gold", {1.00f, 0.71f, 0.29f}, {0, 0, 0}};
 const material white_dielectric{"white dielectric", vec3{0.04f}, vec3{1}};
 const material white_metal{"white metal", vec3{1}, {0, 0, 0}};
+const glass clear{"clear glass", 1.5f, vec3{1}};
+const glass bottle{"bottle glass", 1.5f, {0.45f, 0.85f, 0.6f}};
+
+const std::vector<named> split_sums{{"single scattering", "split sum; diffuse 1 − F(n·v)"},
+                                    {"multiple scattering", "split sum; Fdez-Agüera 2019"},
+                                    {"multiple scattering", "split sum; smith_multiscatter"}};
+const std::vector<named> interfaces{{"single scattering", "rough_dielectric"},
+                                    {"multiple scattering", "compensated_dielectric"}};
+const named random_walks{"random walk", "the reference"};
+
+std::string short_text(float x) {
+    std::ostringstream out;
+    out << std::setprecision(2) << x;
+    return out.str();
+}
+
+std::string heading(const material& m) {
+    const auto& f0 = m.f0;
+    std::string text = m.name + ", F0 = ";
+    text += f0.x == f0.z ? short_text(f0.x)
+                         : "(" + short_text(f0.x) + ", " + short_text(f0.y) + ", " + short_text(f0.z) + ")";
+    return m.albedo == vec3{0} ? text : text + ", diffuse albedo " + short_text(m.albedo.x);
+}
+
+std::string heading(const glass& g) {
+    std::string text = g.name + ", eta = " + short_text(g.eta);
+    if (g.left == vec3{1}) return text + ", absorbs nothing";
+    return text + ", through its middle (" + short_text(g.left.x) + ", " + short_text(g.left.y) + ", " +
+           short_text(g.left.z) + ") is left";
+}
 
 }  // namespace
 
@@ -62,22 +96,31 @@ int main(int argc, char** argv) try {
     auto environment = studio ? studio_light() : load_environment(o.environment);
     const std::string name = studio ? "the studio light of this program" : o.environment.filename().string();
     const font face{LOBE_EXAMPLE_FONT};
-    output_folder out{o.out, {"spheres.png", "spheres.exr", "furnace.png", "furnace.exr"}};
+    output_folder out{o.out,
+                      {"spheres.png", "spheres.exr", "furnace.png", "furnace.exr", "glass.png", "glass.exr",
+                       "glass_furnace.png", "glass_furnace.exr"}};
 
     std::cout << "\n" << name << ", " << environment.width << " x " << environment.height << "\n";
     const baked_light light = bake(std::move(environment), roughnesses);
-    report spheres{"Spheres under " + name, light, o.render};
-    for (const material& m : {gold, white_dielectric}) spheres.add(m, render(m, light, vec3{0}, o.render));
+    report spheres{"Spheres under " + name, split_sums, random_walks, light, o.render.samples};
+    for (const material& m : {gold, white_dielectric}) spheres.add(heading(m), render(m, light, vec3{0}, o.render));
+    settings few = o.render;  // a path through glass has several interfaces
+    few.samples = whole_batches(few.samples / 8);
+    report balls{"Balls of glass under " + name, interfaces, random_walks, light, few.samples};
+    balls.add(heading(bottle), render(bottle, light, vec3{0}, few));
 
     std::cout << "\nwhite furnace\n";
-    settings few = o.render;
-    few.samples = whole_batches(few.samples / 8);  // there is little noise under uniform light
+    // there is little noise under uniform light
     const baked_light white = bake(uniform_light(), roughnesses);
-    report furnace{"Spheres in the white furnace, radiance 1 from everywhere", white, few};
-    for (const material& m : {white_metal, white_dielectric, gold}) furnace.add(m, render(m, white, vec3{1}, few));
+    report furnace{"Spheres in the white furnace, radiance 1 from everywhere", split_sums, random_walks, white,
+                   few.samples};
+    for (const material& m : {white_metal, white_dielectric, gold})
+        furnace.add(heading(m), render(m, white, vec3{1}, few));
+    report clear_balls{"Glass in the white furnace, radiance 1 from everywhere", interfaces, random_walks, white,
+                       few.samples};
+    clear_balls.add(heading(clear), render(clear, white, vec3{1}, few));
 
-    spheres.print_errors(std::cout);
-    furnace.print_errors(std::cout);
+    for (const report* r : {&spheres, &balls, &furnace, &clear_balls}) r->print_errors(std::cout);
 
     write_png(out.temporary("spheres.png"), spheres.tone_mapped_page(face));
     write_exr(out.temporary("spheres.exr"), spheres.linear(),
@@ -85,6 +128,11 @@ int main(int argc, char** argv) try {
     write_png(out.temporary("furnace.png"), furnace.furnace_page(face));
     write_exr(out.temporary("furnace.exr"), furnace.linear(),
               "radiance; rows: white metal a b c d |b-d| |c-d|, white dielectric, gold the same");
+    write_png(out.temporary("glass.png"), balls.tone_mapped_page(face));
+    write_exr(out.temporary("glass.exr"), balls.linear(), "radiance; rows: bottle glass a b c |a-c| |b-c|");
+    write_png(out.temporary("glass_furnace.png"), clear_balls.furnace_page(face));
+    write_exr(out.temporary("glass_furnace.exr"), clear_balls.linear(),
+              "radiance; rows: clear glass a b c |a-c| |b-c|");
     out.commit();
 } catch (const std::exception& error) {
     std::cerr << "render_spheres: " << error.what() << '\n';

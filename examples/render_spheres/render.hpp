@@ -32,10 +32,13 @@ struct error_of_energy {
     double largest;  // largest difference of a pixel / mean of the reference
 };
 
-/// One material at one roughness: its pictures (radiance), and what they miss.
+/// One material at one roughness: its pictures (radiance), by each way to compute them and in truth, what the last two
+/// ways miss of that, and how much each way misses.
 struct sphere {
-    image single, fdez_aguera, multiple, reference, fdez_aguera_off, multiple_off;
-    error_of_energy single_error, fdez_aguera_error, multiple_error;
+    std::vector<image> ways;
+    image reference;
+    std::vector<image> off;
+    std::vector<error_of_energy> errors;
     double noise;  // standard error of the reference, rms over the pixels / mean of the reference
 };
 

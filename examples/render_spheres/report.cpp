@@ -4,16 +4,25 @@
 #include "sheet.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iomanip>
 #include <ostream>
 #include <sstream>
+#include <utility>
 
 namespace {
 
-constexpr std::array rows{&sphere::single,    &sphere::fdez_aguera,     &sphere::multiple,
-                          &sphere::reference, &sphere::fdez_aguera_off, &sphere::multiple_off};
+/// The pictures of a sphere in the order of the page's rows.
+std::vector<const image*> pictures(const sphere& s) {
+    std::vector<const image*> all;
+    for (const image& way : s.ways) all.push_back(&way);
+    all.push_back(&s.reference);
+    for (const image& off : s.off) all.push_back(&off);
+    return all;
+}
+
+/// (a), (b), (c) ...
+std::string letter(std::size_t k) { return std::string("(") + static_cast<char>('a' + k) + ")"; }
 
 std::string text(double x, int digits) {
     std::ostringstream out;
@@ -29,12 +38,15 @@ std::string fixed(double x, int decimals) {
 
 }  // namespace
 
-report::report(std::string title_, const baked_light& light, const settings& set)
-    : title(std::move(title_)), samples(set.samples), mean_radiance(mean_over_directions(light.pyramid.level(0))) {
+report::report(std::string title_, std::vector<named> ways_, named truth_, const baked_light& light, int walks)
+    : title(std::move(title_)), ways(std::move(ways_)), truth(std::move(truth_)), samples(walks),
+      mean_radiance(mean_over_directions(light.pyramid.level(0))) {
     for (const auto& level : light.levels) roughnesses.push_back(level.roughness);
 }
 
-void report::add(const material& m, std::vector<sphere> spheres) { results.push_back({m, std::move(spheres)}); }
+void report::add(std::string heading, std::vector<sphere> spheres) {
+    results.push_back({std::move(heading), std::move(spheres)});
+}
 
 std::string report::noise() const {
     double sum = 0, largest = 0;
@@ -54,27 +66,32 @@ void report::print_errors(std::ostream& out) const {
         const bool nothing = std::abs(x) < 0.5e-4;  // 0.00, without a sign
         out << std::setw(width) << fixed(nothing ? 0 : 100 * x, 2);
     };
-    out << "\nerrors of energy against the random walk (d), in percent: " << title << "\n"
-        << "(d): " << samples << " random walks a pixel, " << noise() << "\n"
-        << "                    (a) single scattering      (b) Fdez-Aguera       (c) smith_multiscatter  noise of (d)\n"
-        << "         roughness       mean     largest        mean     largest        mean     largest   rms, of a "
-           "pixel\n";
+    const std::string last = letter(ways.size());
+    out << "\nerrors of energy against " << last << ", " << truth.name << ", in percent: " << title << "\n"
+        << last << ": " << samples << " walks a pixel, " << noise() << "\n"
+        << std::setw(18) << "";
+    for (std::size_t k = 0; k < ways.size(); ++k) out << std::setw(23) << letter(k) + " " + ways[k].name.substr(0, 18);
+    out << std::setw(14) << "noise"
+        << "\n"
+        << std::setw(18) << "roughness";
+    for (std::size_t k = 0; k < ways.size(); ++k) out << std::setw(11) << "mean" << std::setw(12) << "largest";
+    out << std::setw(14) << "rms, a pixel"
+        << "\n";
     for (const auto& r : results) {
-        out << r.of.name << "\n";
+        out << r.heading << "\n";
         for (std::size_t i = 0; i < r.spheres.size(); ++i) {
             const sphere& s = r.spheres[i];
             out << std::setw(18) << fixed(roughnesses[i], 2);
-            percent(s.single_error.mean, 11);
-            percent(s.single_error.largest, 12);
-            percent(s.fdez_aguera_error.mean, 12);
-            percent(s.fdez_aguera_error.largest, 12);
-            percent(s.multiple_error.mean, 12);
-            percent(s.multiple_error.largest, 12);
+            for (const error_of_energy& error : s.errors) {
+                percent(error.mean, 11);
+                percent(error.largest, 12);
+            }
             percent(s.noise, 14);
             out << "\n";
         }
     }
-    out << "mean: sum of the differences / sum of (d) over a sphere's pixels; largest: of a pixel, / mean of (d)\n"
+    out << "mean: sum of the differences / sum of " << last
+        << " over a sphere's pixels; largest: of a pixel, / mean of " << last << "\n"
         << std::flush;
 }
 
@@ -83,8 +100,8 @@ float report::scale_end() const {
     std::vector<float> all;
     for (const auto& r : results)
         for (const sphere& s : r.spheres)
-            for (const auto off : {&sphere::fdez_aguera_off, &sphere::multiple_off})
-                for (const vec3& d : (s.*off).pixels) all.push_back(mean_of_channels(d) / mean_radiance);
+            for (const image& off : s.off)
+                for (const vec3& d : off.pixels) all.push_back(mean_of_channels(d) / mean_radiance);
     const auto high = all.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(all.size()));
     std::nth_element(all.begin(), high, all.end());
     const float decade = std::pow(10.0f, std::floor(std::log10(std::max(*high, 1e-6f))));
@@ -95,41 +112,32 @@ float report::scale_end() const {
 
 template <class Screen>
 image report::page(const font& face, const std::string& note, const Screen& screen) const {
+    const std::size_t shown = ways.size() + 1;  // then what the last two ways miss
     sheet s;
     s.title = title;
-    s.notes = {"(d): " + std::to_string(samples) + " random walks a pixel (Heitz et al. 2016), " + noise(), note};
+    s.notes = {letter(ways.size()) + ": " + std::to_string(samples) + " walks a pixel (Heitz et al. 2016), " + noise(),
+               note};
     s.column_title = "roughness";
     for (const float r : roughnesses) s.columns.push_back(fixed(r, 2));
     s.scale_end = scale_end();
-    s.scale_title = "(e), (f): difference of radiance, mean of r, g and b, in units of the light's mean radiance (" +
+    s.scale_title = letter(shown) + ", " + letter(shown + 1) +
+                    ": difference of radiance, mean of r, g and b, in units of the light's mean radiance (" +
                     text(mean_radiance, 3) + ")";
 
     const float unit = 1 / (s.scale_end * mean_radiance);
-    const std::array<const char*, rows.size()> labels{"(a) single scattering",
-                                                      "(b) multiple scattering",
-                                                      "(c) multiple scattering",
-                                                      "(d) random walk",
-                                                      "(e) |b − d|",
-                                                      "(f) |c − d|"};
-    std::array<const char*, rows.size()> details{"split sum",
-                                                 "split sum; Fdez-Agüera 2019",
-                                                 "split sum; smith_multiscatter",
-                                                 "the reference",
-                                                 "in false colours",
-                                                 "in false colours"};
+    std::vector<named> rows = ways;
+    rows.push_back(truth);
+    for (std::size_t k = ways.size() - 2; k < ways.size(); ++k)
+        rows.push_back(
+            {std::string("|") + static_cast<char>('a' + k) + " − " + static_cast<char>('a' + ways.size()) + "|",
+             "in false colours"});
     for (const auto& r : results) {
-        const vec3 f0 = r.of.f0;
-        const std::string rgb =
-            f0.x == f0.z ? text(f0.x, 2) : "(" + fixed(f0.x, 2) + ", " + fixed(f0.y, 2) + ", " + fixed(f0.z, 2) + ")";
-        sheet::group group{r.of.name + ", F0 = " + rgb +
-                               (r.of.albedo == vec3{0} ? "" : ", diffuse albedo " + text(r.of.albedo.x, 2)),
-                           {}};
-        details[0] = r.of.albedo == vec3{0} ? "split sum" : "split sum; kd = 1 − F(n·v)";
+        sheet::group group{r.heading, {}};
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            group.rows.push_back({labels[i], details[i], {}});
+            group.rows.push_back({letter(i) + " " + rows[i].name, rows[i].detail, {}});
             for (const sphere& one : r.spheres) {
-                image tile = one.*rows[i];
-                for (vec3& c : tile.pixels) c = i >= 4 ? false_colour(mean_of_channels(c) * unit) : screen(c);
+                image tile = *pictures(one)[i];
+                for (vec3& c : tile.pixels) c = i >= shown ? false_colour(mean_of_channels(c) * unit) : screen(c);
                 group.rows.back().tiles.push_back(std::move(tile));
             }
         }
@@ -142,27 +150,28 @@ image report::tone_mapped_page(const font& face) const {
     // a white matte sphere sends back the light's mean radiance, on average over it
     const float exposure = 0.5f / mean_radiance;
     return page(face,
-                "(a) to (d): radiance × " + text(exposure, 3) +
+                "(a) to " + letter(ways.size()) + ": radiance × " + text(exposure, 3) +
                     " (0.5 / mean radiance of the light), ACES filmic curve (Narkowicz 2015), sRGB",
                 [&](const vec3& c) { return tone_mapped(c, exposure); });
 }
 
 image report::furnace_page(const font& face) const {
-    return page(
-        face,
-        "(a) to (d): radiance × 0.8, sRGB. A sphere that keeps all energy cannot be told from the light behind it.",
-        [&](const vec3& c) { return as_it_is(c, 0.8f); });
+    return page(face,
+                "(a) to " + letter(ways.size()) +
+                    ": radiance × 0.8, sRGB. A sphere that keeps all energy cannot be told from the light behind it.",
+                [&](const vec3& c) { return as_it_is(c, 0.8f); });
 }
 
 image report::linear() const {
-    const int tile = results.front().spheres.front().single.width;
-    image all{tile * static_cast<int>(roughnesses.size()), tile * static_cast<int>(rows.size() * results.size())};
-    int top = 0;
-    for (const auto& r : results)
-        for (const auto row : rows) {
-            for (std::size_t i = 0; i < r.spheres.size(); ++i)
-                paste(all, r.spheres[i].*row, static_cast<int>(i) * tile, top);
-            top += tile;
+    const sphere& any = results.front().spheres.front();
+    const int tile = any.reference.width;
+    const std::size_t rows = pictures(any).size() * results.size();
+    image all{tile * static_cast<int>(roughnesses.size()), tile * static_cast<int>(rows)};
+    for (std::size_t g = 0; g < results.size(); ++g)
+        for (std::size_t i = 0; i < results[g].spheres.size(); ++i) {
+            const auto column = pictures(results[g].spheres[i]);
+            for (std::size_t k = 0; k < column.size(); ++k)
+                paste(all, *column[k], static_cast<int>(i) * tile, static_cast<int>(g * column.size() + k) * tile);
         }
     return all;
 }

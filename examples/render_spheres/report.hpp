@@ -7,27 +7,35 @@
 #include <string>
 #include <vector>
 
+/// What a way to compute a picture is called.
+struct named {
+    std::string name, detail;
+};
+
 /// The spheres of one light, as a table, as a labelled picture and as a linear one.
 class report {
 public:
-    report(std::string title, const baked_light&, const settings&);
+    /// `truth` is what the ways are held against; `walks` a pixel.
+    report(std::string title, std::vector<named> ways, named truth, const baked_light&, int walks);
 
-    void add(const material&, std::vector<sphere>);
+    void add(std::string heading, std::vector<sphere>);
 
     void print_errors(std::ostream&) const;
     /// Filmic, exposed for the light.
     image tone_mapped_page(const font&) const;
     /// Radiance 1 becomes a light grey and no curve bends the rest.
     image furnace_page(const font&) const;
-    /// Radiance, the tiles alone: for each material the rows a, b, c and |b - c|.
+    /// Radiance, the tiles alone, in the rows of the page.
     image linear() const;
 
 private:
     struct result {
-        material of;
+        std::string heading;
         std::vector<sphere> spheres;  // one a roughness
     };
     std::string title;
+    std::vector<named> ways;
+    named truth;
     std::vector<float> roughnesses;
     int samples;
     float mean_radiance;  // of the light, over the sphere of directions

@@ -81,7 +81,7 @@ image drawn(const sheet& s, const font& face) {
 
     // The scale of the false colours.
     const auto bar_line = static_cast<float>(bar_top + bar_height);
-    write(x0, bar_line - 0.15f * size, size, ink, "false colours of (e), (f)");
+    write(x0, bar_line - 0.15f * size, size, ink, "false colours");
     for (int i = 0; i < grid_width; ++i)
         for (int j = 0; j < bar_height; ++j)
             page(left + i, bar_top + j) = false_colour((static_cast<float>(i) + 0.5f) / static_cast<float>(grid_width));

@@ -83,7 +83,7 @@ auto directional_albedo(const B& b, const vec3<typename B::scalar>& v, const qua
 template <refracting_bsdf B>
     requires(B::isotropic)
 auto directional_albedo(const B& b, const typename B::scalar& mu, const quadrature& options = {}) {
-    using T = typename B::scalar;
+    using T [[maybe_unused]] = typename B::scalar;  // in the assert alone
     assert(mu >= T(-1) && mu <= T(1) && absolute(mu) > T(0) &&
            "directional_albedo: the cosine must be in [-1,1], not 0");
     return detail::albedo_of(b, detail::view_at(mu), true, options);

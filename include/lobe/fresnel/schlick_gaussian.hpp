@@ -37,7 +37,7 @@ public:
 private:
     constexpr S grazing() const {
         if constexpr (std::same_as<F90, unit>)
-            return S(1);
+            return S(component_t<S>(1));
         else
             return f90;
     }

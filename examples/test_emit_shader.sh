@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# The files of examples/shaders are what emit_shader writes; every part and every function is GLSL that glslang takes; wrong words
+# get one line, exit code 2, and nothing is written: test_emit_shader.sh [path/to/emit_shader]
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+source "$root/scripts/setup.sh"
+need glslang-tools
+program=${1:-$root/examples/emit_shader/run.sh}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+mkdir "$work/shaders"
+"$program" --ready-made "$work/shaders"
+diff -r "$work/shaders" "$root/examples/shaders" >&2 || { echo "WRONG: examples/shaders is not what emit_shader --ready-made writes" >&2; exit 1; }
+echo "ok    $(ls "$work/shaders" | wc -l) ready-made files"
+
+accepted() {  # brdf, functions
+    "$program" --brdf "$1" --functions "$2" --out "$work/f.glsl"
+    { echo '#version 450'; cat "$work/f.glsl"; echo 'void main() {}'; } > "$work/f.frag"
+    glslangValidator "$work/f.frag" > "$work/log" || { echo "WRONG: $1"; cat "$work/log"; exit 1; } >&2
+}
+all=f,f_cos,pdf,evaluate,sample
+for normals in ggx ggx_xy beckmann beckmann_xy; do accepted "$normals" $all; done
+for masking in smith_separable smith_direction_correlated smith_hammon v_cavity; do accepted "ggx $masking" $all; done
+for fresnel in schlick_gaussian f82_tint dielectric conductor; do accepted "ggx $fresnel" $all,dfg; done
+for sampler in visible_heitz2018 visible_bounded_caps all_normals; do accepted "ggx_xy $sampler" $all; done
+for model in lambert oren_nayar fon eon burley burley_frostbite metallic_roughness metallic_roughness_all_bounces; do accepted $model $all; done
+echo "ok    every part is GLSL"
+
+refused() {  # pattern, arguments
+    local pattern=$1 code=0
+    shift
+    "$program" "$@" --out "$work/none" > "$work/log" 2> "$work/errors" || code=$?
+    if [[ $code != 2 || $(wc -l < "$work/errors") != 1 || -s $work/log || -e $work/none ]] || ! grep -q -- "$pattern" "$work/errors"; then
+        echo "WRONG $*: exit code $code, $(cat "$work/errors")" >&2
+        exit 1
+    fi
+    echo "ok    $(cat "$work/errors")"
+}
+refused "did you mean 'glsl'" --language gsl
+refused "did you mean 'beckmann'" --brdf "bekman smith_correlated"
+refused "did you mean 'smith_correlated'" --brdf "ggx smith_corelated schlick"
+refused "did you mean 'evaluate'" --functions evalute
+refused "does not go with 'ggx_xy'" --brdf "ggx_xy smith_hammon"
+refused "does not go with 'beckmann'" --brdf "beckmann visible_normals"
+refused "whole model" --brdf "lambert schlick"
+refused "names no part" --brdf ""
+refused "'dfg' is of" --brdf "beckmann" --functions dfg

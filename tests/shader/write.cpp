@@ -1,0 +1,79 @@
+// Prints the functions of functions.inc: write LANGUAGE FILE. Or each with a kernel that calls it for an array:
+// write kernels GLSL|HLSL FOLDER
+#include "functions.hpp"
+
+#include <lobe/shader.hpp>
+
+#include <fstream>
+#include <iostream>
+#include <string_view>
+
+namespace {
+
+using lobe::shader::real;
+namespace shader = lobe::shader;
+
+template <class F>
+auto recorded(const char* name, const F& f) {
+    return shader::function(name, {"v", "l", "u", "width", "x"},
+                            [&](shader::vec3 v, shader::vec3 l, shader::vec2 u, real width, real x) {
+                                return f(shader_tests::input<real>{v, l, u, width, x});
+                            });
+}
+
+/// 10 numbers in, 7 numbers out, an invocation each.
+std::string kernel(const shader::body& function, bool hlsl) {
+    std::string text =
+        hlsl
+            ? "\n[[vk::binding(0)]] RWStructuredBuffer<float> given;\n[[vk::binding(1)]] RWStructuredBuffer<float> "
+              "found;\n[numthreads(64, 1, 1)] void main(uint3 id : SV_DispatchThreadID) {\n    const uint i = 10 * "
+              "id.x, "
+              "o = 7 * id.x;\n"
+            : "\nlayout(local_size_x = 64) in;\nlayout(std430, binding = 0) buffer inputs { float given[]; };\n"
+              "layout(std430, binding = 1) buffer outputs { float found[]; };\nvoid main() {\n    const uint i = 10u * "
+              "gl_GlobalInvocationID.x, o = 7u * gl_GlobalInvocationID.x;\n";
+    const std::string vector = hlsl ? "float" : "vec";
+    text += "    " + shader::detail::in(hlsl ? shader::hlsl() : shader::glsl(), function.result) +
+            " r = " + function.name + "(" + vector + "3(given[i], given[i + 1], given[i + 2]), " + vector +
+            "3(given[i + 3], given[i + 4], given[i + 5]), " + vector +
+            "2(given[i + 6], given[i + 7]), given[i + 8], given[i + 9]);\n";
+    std::uint32_t component = 0;
+    shader::detail::for_each_part(function.result, "r", component,
+                                  [&](const shader::type& t, const std::string& name, std::uint32_t first) {
+                                      const auto out = [&](std::uint32_t i, const std::string& value) {
+                                          text += "    found[o + " + std::to_string(first + i) + "] = " + value + ";\n";
+                                      };
+                                      if (t.kind == shader::type::number) out(0, name);
+                                      if (t.kind == shader::type::vector_2) out(0, name + ".x"), out(1, name + ".y");
+                                      if (t.kind == shader::type::vector_3)
+                                          out(0, name + ".x"), out(1, name + ".y"), out(2, name + ".z");
+                                  });
+    return text + "}\n";
+}
+
+}  // namespace
+
+int main(int, char** arguments) {
+    const std::string_view what = arguments[1];
+    if (what == "kernels") {
+        const bool hlsl = std::string_view(arguments[2]) == "HLSL";
+        bool written = true;
+        shader_tests::for_each_function([&](const char* name, const auto& f) {
+            const auto one = recorded(name, f);
+            shader::file file;
+            file.add(one);
+            std::ofstream to(std::string(arguments[3]) + "/" + name + (hlsl ? ".hlsl" : ".comp"));
+            to << (hlsl ? "" : "#version 450\n") << file.print(hlsl ? shader::hlsl() : shader::glsl())
+               << kernel(*one.recording(), hlsl);
+            written = written && bool(to.flush());
+        });
+        return !written;
+    }
+    shader::file file;
+    shader_tests::for_each_function([&](const char* name, const auto& f) { file.add(recorded(name, f)); });
+    for (const auto& to : {shader::cpp(), shader::cuda(), shader::glsl(), shader::glsl_es(), shader::hlsl(),
+                           shader::wgsl(), shader::msl()})
+        if (to.name == what) return !(std::ofstream(arguments[2]) << file.print(to));
+    std::cerr << "no language " << what << '\n';
+    return 2;
+}
