@@ -1,6 +1,8 @@
 // What an element of a plain loop costs in instructions. instructions.sh compiles this file and runs it under
 // callgrind, which counts what lies between the two marks below; by itself the program does nothing. It stands alone
 // and names no default, so that it compiles with the headers of other revisions too.
+#include "limit.hpp"
+
 #include <lobe/brdf/eon.hpp>
 #include <lobe/brdf/ggx_samplers.hpp>
 #include <lobe/brdf/metallic_roughness.hpp>
@@ -11,7 +13,9 @@
 #include <lobe/fresnel/schlick.hpp>
 #include <lobe/ibl/prefilter.hpp>
 #include <lobe/ndf/ggx.hpp>
+#include <lobe/sampling/lattices.hpp>
 #include <lobe/sampling/points.hpp>
+#include <lobe/sampling/sobol.hpp>
 
 #include <valgrind/callgrind.h>
 
@@ -66,6 +70,12 @@ struct element {
     vec2 u() const { return {in.u1[i], in.u2[i]}; }
     float mu() const { return in.mu[i]; }
     ggx<float> ndf() const { return ggx{alpha{in.a[i]}}; }
+    limit::direction view() const { return {in.vx[i], in.vy[i], in.vz[i]}; }
+    limit::direction light() const { return {in.lx[i], in.ly[i], in.lz[i]}; }
+    limit::direction normal() const { return {in.mx[i], in.my[i], in.mz[i]}; }
+    limit::rgb F0() const { return {in.r[i], in.g[i], in.b[i]}; }
+    float a() const { return in.a[i]; }
+    float eta() const { return in.eta[i]; }
     auto metallic() const { return lobe::metallic_roughness(rgb(), in.mu[i], alpha{in.a[i]}); }
 };
 
@@ -87,6 +97,11 @@ auto flat(float x) { return numbers{x}; }
 auto flat(const vec2& w) { return numbers{w.x, w.y}; }
 auto flat(const vec3& w) { return numbers{w.x, w.y, w.z}; }
 auto flat(const lobe::dfg_terms<float>& t) { return numbers{t.scale, t.bias}; }
+auto flat(const limit::direction& w) { return numbers{w.x, w.y, w.z}; }
+auto flat(const limit::rgb& c) { return numbers{c.r, c.g, c.b}; }
+auto flat(const limit::point& p) { return numbers{p.x, p.y}; }
+auto flat(const limit::evaluated& e) { return numbers{e.f_cos.r, e.f_cos.g, e.f_cos.b, e.pdf}; }
+auto flat(const limit::sampled& s) { return numbers{s.l.x, s.l.y, s.l.z, s.weight.r, s.weight.g, s.weight.b, s.pdf}; }
 template <class R>
 auto flat(const R& r) {
     if constexpr (requires { r.weight; })
@@ -147,10 +162,30 @@ int main() {
         return lobe::conductor{e.rgb(), e.in.eta[e.i] * e.rgb()}(e.mu());
     });
     measure("hammersley", in, [](const element& e) { return lobe::hammersley(e.in.index[e.i], count); });
+    measure("fibonacci", in, [](const element& e) { return lobe::fibonacci(e.in.index[e.i], count); });
+    measure("owen_sobol", in, [](const element& e) { return lobe::owen_sobol(e.in.index[e.i], 1); });
     measure("dfg_table", in, [&table](const element& e) { return table(e.mu(), alpha{e.in.a[e.i]}); });
     constexpr std::uint32_t taps = 64;
     const auto sky = [](const vec3& w) { return w; };
     measure(
         "prefiltered_radiance, a tap", in,
         [&](const element& e) { return lobe::prefiltered_radiance(sky, e.m(), alpha{e.in.a[e.i]}, taps); }, taps);
+
+    // What instructions.sh sets lobe's beside: the same name behind the colon.
+    measure("limit: f_cos", in, [](const element& e) { return limit::f_cos(e.view(), e.light(), e.a(), e.F0()); });
+    measure("limit: evaluate", in,
+            [](const element& e) { return limit::evaluate(e.view(), e.light(), e.a(), e.F0()); });
+    measure("limit: pdf", in, [](const element& e) { return limit::pdf(e.view(), e.light(), e.a()); });
+    measure("limit: sample, visible normals", in, [](const element& e) {
+        return limit::sample_visible(e.view(), e.in.u1[e.i], e.in.u2[e.i], e.a(), e.F0());
+    });
+    measure("limit: D", in, [](const element& e) { return limit::D(e.normal(), e.a()); });
+    measure("limit: visibility", in, [](const element& e) { return limit::visibility(e.view(), e.light(), e.a()); });
+    measure("limit: sample of the distribution", in,
+            [](const element& e) { return limit::sample_normal(e.in.u1[e.i], e.in.u2[e.i], e.a()); });
+    measure("limit: schlick rgb", in, [](const element& e) { return limit::schlick(e.F0(), e.mu()); });
+    measure("limit: dielectric", in, [](const element& e) { return limit::dielectric(e.eta(), e.mu()); });
+    measure("limit: conductor rgb", in,
+            [](const element& e) { return limit::conductor(e.F0(), limit::scaled(e.F0(), e.eta()), e.mu()); });
+    measure("limit: hammersley", in, [](const element& e) { return limit::hammersley(e.in.index[e.i], count); });
 }

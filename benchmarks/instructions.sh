@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# Counts instructions: instructions.sh [--against REVISION]. A table for each compiler: instructions of an element of a plain loop over
+# Counts instructions: instructions.sh [--against REVISION | --write | --check]. A table for each compiler: instructions of an element of a plain loop over
 # what instructions.cpp lists, as three ways to compile it make them. Counts are exact and repeat to the last digit, so that a busy
 # machine does not matter. --against: those of another revision too, from the same program (or that revision's own where the headers
-# have other names), and this tree's over them.
+# have other names), and this tree's over them. --write: docs/instructions.md, lobe's counts and their ratio to those of the hand-written
+# loops of limit.hpp. --check: fails where a count is more than 3 % above the one that stands there; what another compiler than that of
+# the file counts is not judged.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 source "$root/scripts/setup.sh"
@@ -10,7 +12,8 @@ source "$root/scripts/setup.sh"
 case ${1:-} in
     '') against= ;;
     --against) against=$(git -C "$root" rev-parse --verify "${2:?--against what?}^{commit}") ;;
-    *) echo "usage: instructions.sh [--against REVISION]" >&2; exit 1 ;;
+    --write | --check) exec python3 "$root/benchmarks/instructions.py" "$1" "$root/docs/instructions.md" ;;
+    *) echo "usage: instructions.sh [--against REVISION | --write | --check]" >&2; exit 1 ;;
 esac
 need g++ libglm-dev valgrind
 
