@@ -1,7 +1,7 @@
 // Makes Radiance and OpenEXR files, good and bad, and compares what load_environment reads with what was written. The
 // pixels of each file are a formula of x and y that no flip, crop or swap of channels leaves alone; conversions of
 // colour are compared with published matrices. Run by test_environments.sh.
-#include "render_spheres/environment.hpp"
+#include "common/environment.hpp"
 
 #include <cmath>
 #include <cstdlib>

@@ -1,13 +1,13 @@
 // Bakes an environment for image-based light: a prefiltered cube, its irradiance, harmonics, the split-sum texture.
 #include "ktx2.hpp"
 
-#include "../render_spheres/bake.hpp"
-#include "../render_spheres/environment.hpp"
-#include "../render_spheres/font.hpp"
-#include "../render_spheres/image.hpp"
-#include "../render_spheres/output.hpp"
-#include "../render_spheres/picture.hpp"
-#include "../render_spheres/progress.hpp"
+#include "../common/environment.hpp"
+#include "../common/font.hpp"
+#include "../common/image.hpp"
+#include "../common/maps.hpp"
+#include "../common/output.hpp"
+#include "../common/picture.hpp"
+#include "../common/rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,6 @@
 #include <lobe/lobe.hpp>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
-#include <tbb/parallel_for.h>
 
 namespace {
 
@@ -35,26 +34,8 @@ void stop_if_interrupted() {
     if (interrupted) throw std::runtime_error("interrupted: nothing was written");
 }
 
-/// Each row to g, shared out among the cores, with a bar.
-template <class G>
-void for_each_row(const std::string& name, int rows, const G& g) {
-    step progress(name, static_cast<std::size_t>(rows));
-    tbb::parallel_for(0, rows, [&](int row) {
-        stop_if_interrupted();
-        g(row);
-        progress.advance();
-    });
-}
-
-/// A cube whose texels are `texel(face, column, row)`.
-template <class G>
-lobe::cube<float> filled_cube(const std::string& name, int size, const G& texel) {
-    image rows{size, 6 * size};
-    for_each_row(name, 6 * size, [&](int row) {
-        for (int column = 0; column < size; ++column) rows(column, row) = texel(row / size, column, row % size);
-    });
-    return {size, rows.pixels};
-}
+/// Rows shared out among the cores, until an interruption.
+auto stoppable_rows(const std::string& name) { return rows_of(name, stop_if_interrupted); }
 
 /// Towards the middle of a texel.
 vec3 texel_direction(int size, int face, int column, int row) {
@@ -218,7 +199,7 @@ void compare(const lobe::cube<float>& environment, const std::vector<lobe::cube<
         const lobe::ggx normals{lobe::alpha<float>::from_roughness(roughness)};
         const int size = levels[i].size();
         std::vector<double> squares(places), norms(places);
-        for_each_row("sums, level " + std::to_string(i), places, [&](int k) {
+        stoppable_rows("sums, level " + std::to_string(i))(places, [&](int k) {
             const int face = k % 6, x = (k * 7) % size, y = (k * 11) % size;
             const lobe::frame<float> at(texel_direction(size, face, x, y));
             glm::dvec3 total(0);
@@ -324,26 +305,23 @@ int main(int argc, char** argv) try {
     const auto turn = lobe::rotation<float>::about_up(static_cast<float>(o.rotate / 360));
     const lobe::rotated turned{halved.level(from), turn};
     const lobe::cube_pyramid<float> environment{
-        filled_cube("cube, " + std::to_string(o.size), o.size, [&](int face, int column, int row) {
-            return lobe::cube_texel_mean<float>(turned, o.size, face, column, row, per_axis);
-        })};
+        lobe::make_cube<float>(turned, o.size, per_axis, stoppable_rows("cube, " + std::to_string(o.size)))};
 
     int level = 0;
     const auto chain =
         lobe::prefilter(environment, {.smallest = o.smallest, .count = o.samples, .tolerance = o.tolerance},
                         [&](int rows, const auto& g) {
                             ++level;
-                            for_each_row("roughness, level " + std::to_string(level), rows, g);
+                            stoppable_rows("roughness, level " + std::to_string(level))(rows, g);
                         });
     std::vector<lobe::cube<float>> cubes;
     for (std::size_t i = 0; i < chain.size(); ++i) cubes.push_back(chain.level(i));
 
     const lobe::harmonics<float> radiance(environment.level(0), o.harmonics_degree);
     const auto& coarse = halved.level(halvings(halved, diffuse_texel));
-    const auto irradiance = filled_cube("irradiance", o.irradiance_size, [&](int face, int column, int row) {
-        const vec3 n = texel_direction(o.irradiance_size, face, column, row);
-        return lobe::irradiance(coarse, turn.back(n));
-    });
+    const auto irradiance =
+        lobe::make_cube<float>([&](const vec3& n) { return lobe::irradiance(coarse, turn.back(n)); }, o.irradiance_size,
+                               1, stoppable_rows("irradiance"));
 
     lobe::dfg_layout layout;
     layout.width = layout.height = o.dfg_size;

@@ -1,7 +1,8 @@
 #include "bake.hpp"
 
-#include "image.hpp"
-#include "progress.hpp"
+#include "../common/image.hpp"
+#include "../common/maps.hpp"
+#include "../common/rows.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -12,20 +13,8 @@
 #include <utility>
 
 #include <lobe/lobe.hpp>
-#include <tbb/parallel_for.h>
 
 namespace {
-
-/// Shares rows out among the cores, and shows them as a step.
-auto rows_of(const std::string& name) {
-    return [name](int rows, const auto& g) {
-        step progress(name, static_cast<std::size_t>(rows));
-        tbb::parallel_for(0, rows, [&](int row) {
-            g(row);
-            progress.advance();
-        });
-    };
-}
 
 /// Fine enough for bilinear look-ups in a lobe of this width, and no finer than the environment itself.
 int prefiltered_size(lobe::alpha<float> a, int finest) {
@@ -35,24 +24,6 @@ int prefiltered_size(lobe::alpha<float> a, int finest) {
 }
 
 }  // namespace
-
-float mean_over_directions(const lobe::latlong<float>& map) {
-    double sum = 0, solid_angle = 0;
-    for (int y = 0; y < map.height; ++y) {
-        const double texel = lobe::latlong_texel_solid_angle<double>(y, map.width, map.height);
-        for (int x = 0; x < map.width; ++x) sum += texel * mean_of_channels(map.at(x, y));
-        solid_angle += texel * map.width;
-    }
-    return static_cast<float>(sum / solid_angle);
-}
-
-std::size_t halvings(const lobe::latlong_pyramid<float>& pyramid, float angle) {
-    std::size_t level = 0;
-    while (level + 1 < pyramid.size() &&
-           lobe::pi<float>() / static_cast<float>(pyramid.level(level + 1).height) <= angle)
-        ++level;
-    return level;
-}
 
 baked_light bake(lobe::latlong<float> environment, const std::vector<float>& roughnesses) {
     lobe::latlong_pyramid<float> pyramid{std::move(environment)};

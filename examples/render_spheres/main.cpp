@@ -1,12 +1,12 @@
 // Spheres under image-based light: the split sum, the split sum with multiple scattering, and the truth, side by side.
 // Balls of glass: single scattering, compensated, and the truth.
 
+#include "../common/environment.hpp"
+#include "../common/font.hpp"
+#include "../common/output.hpp"
+#include "../common/picture.hpp"
 #include "bake.hpp"
-#include "environment.hpp"
-#include "font.hpp"
 #include "glass.hpp"
-#include "output.hpp"
-#include "picture.hpp"
 #include "render.hpp"
 #include "report.hpp"
 

@@ -1,6 +1,7 @@
 #include "reference_map.hpp"
 
-#include "image.hpp"
+#include "../common/image.hpp"
+#include "../common/maps.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,6 @@
 #include "render.hpp"
 
+#include "../common/maps.hpp"
 #include "random.hpp"
 #include "reference_map.hpp"
 #include "tiles.hpp"

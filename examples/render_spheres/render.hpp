@@ -1,7 +1,7 @@
 #pragma once
 
+#include "../common/image.hpp"
 #include "bake.hpp"
-#include "image.hpp"
 
 #include <cstdint>
 #include <string>

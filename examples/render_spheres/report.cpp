@@ -1,6 +1,7 @@
 #include "report.hpp"
 
-#include "picture.hpp"
+#include "../common/maps.hpp"
+#include "../common/picture.hpp"
 #include "sheet.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "font.hpp"
+#include "../common/font.hpp"
 #include "render.hpp"
 
 #include <iosfwd>

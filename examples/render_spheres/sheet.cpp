@@ -1,6 +1,6 @@
 #include "sheet.hpp"
 
-#include "picture.hpp"
+#include "../common/picture.hpp"
 
 #include <algorithm>
 #include <sstream>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "font.hpp"
-#include "image.hpp"
+#include "../common/font.hpp"
+#include "../common/image.hpp"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "tiles.hpp"
 
-#include "progress.hpp"
+#include "../common/progress.hpp"
 
 #include <algorithm>
 #include <cmath>

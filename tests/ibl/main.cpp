@@ -1,6 +1,6 @@
 // Filtered against unfiltered importance sampling of a real map: the rows of docs/ibl.md and of its plot.
 // prefilter_curves MAP DATA_FOLDER
-#include "../../examples/render_spheres/environment.hpp"
+#include "../../examples/common/environment.hpp"
 
 #include <lobe/lobe.hpp>
 

@@ -8,10 +8,10 @@ map=${1:?a lat-long map, Radiance HDR or OpenEXR}
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
-spheres=$root/examples/render_spheres
+common=$root/examples/common
 read -ra exr < <(pkg-config --cflags --libs OpenEXR)
 g++ -std=c++20 -O2 -DNDEBUG -I"$root/include" "$root/tests/ibl/main.cpp" \
-    "$spheres"/{environment,radiance_hdr,open_exr,colour}.cpp "${exr[@]}" -o "$out/prefilter_curves"
+    "$common"/{environment,radiance_hdr,open_exr,colour}.cpp "${exr[@]}" -o "$out/prefilter_curves"
 "$out/prefilter_curves" "$map" "$out"
 gnuplot -e "data='$out'; out='$out/ibl.svg'" "$root/tests/ibl/plot.gnuplot"
 mv "$out/ibl.svg" "$root/docs/"
