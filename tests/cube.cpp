@@ -205,3 +205,30 @@ TEST_CASE("lat-long to cube and back", "[ibl]") {
         lobe::make_latlong<double>([](const vec3<double>& w) { return vec3<double>(w.y * w.y); }, 4, 2, 64);
     CHECK(squares.at(0, 0).x == Catch::Approx(1.0 / 3).epsilon(1e-4));
 }
+
+TEST_CASE("a bright texel keeps its energy in a conversion, as far as look-ups resolve it", "[ibl]") {
+    // 8 look-ups an axis of texels as wide: the midpoint rule over its hat, which is 16 wide
+    const auto at = [](int size, int k) { return (k * 29 + 11) % size; };
+    for (int k = 0; k < 12; ++k) {
+        std::vector<vec3<double>> pixels(6 * 32 * 32, vec3<double>(0));
+        const int column = at(32, k), row = at(32, 3 * k);
+        pixels[static_cast<std::size_t>((k % 6 * 32 + row) * 32 + column)] = vec3<double>(1e5);
+        const auto map = lobe::make_latlong<double>(cube<double>(32, pixels), 128, 64, 8);
+        double energy = 0;
+        for (int j = 0; j < 64; ++j)
+            for (int i = 0; i < 128; ++i)
+                energy += map.at(i, j).x * lobe::latlong_texel_solid_angle<double>(j, 128, 64);
+        CHECK(energy == Catch::Approx(1e5 * lobe::cube_texel_solid_angle<double>(column, row, 32)).epsilon(0.01));
+    }
+    for (int k = 0; k < 12; ++k) {  // not next to the poles, where texels are narrow
+        std::vector<vec3<double>> pixels(128 * 64, vec3<double>(0));
+        const int column = at(128, k), row = 8 + at(48, k);
+        pixels[static_cast<std::size_t>(row * 128 + column)] = vec3<double>(1e5);
+        const auto faces = lobe::make_cube<double>(lobe::latlong<double>(128, 64, pixels), 32, 8);
+        double energy = 0;
+        faces.for_each([&](int, int i, int j, const vec3<double>& L) {
+            energy += L.x * lobe::cube_texel_solid_angle<double>(i, j, 32);
+        });
+        CHECK(energy == Catch::Approx(1e5 * lobe::latlong_texel_solid_angle<double>(row, 128, 64)).epsilon(0.01));
+    }
+}
