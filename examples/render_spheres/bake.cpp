@@ -31,9 +31,9 @@ baked_light bake(lobe::latlong<float> environment, const std::vector<float>& rou
     auto irradiance = lobe::make_latlong<float>([&](const vec3& n) { return lobe::irradiance(coarse, n); }, 64, 32, 1,
                                                 rows_of("irradiance"));
 
-    // a cube's face has as many texels as a quarter of the equator, or up to twice as many
+    // twice as many texels as a lat-long map has along a quarter of the equator: edges of lights stay sharp in mirrors
     const int height = pyramid.level(0).height;
-    const auto finest = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::clamp(height / 2, 1, 512))));
+    const auto finest = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::clamp(height, 1, 512))));
     const lobe::cube_pyramid<float> cubes{lobe::make_cube<float>(pyramid.level(0), finest, 2, rows_of("cube"))};
 
     std::vector<baked_light::level> levels;

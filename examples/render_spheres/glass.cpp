@@ -108,7 +108,7 @@ std::vector<sphere> render(const glass& g, const baked_light& light, const vec3&
 
     const reference_map map(light.pyramid.level(0));
     const lobe::sample_counts counts{static_cast<std::uint32_t>(set.samples) / batches, batches};
-    return shaded_spheres("spheres of " + g.name, columns.size(), background, set, [&](const point& p) {
+    return shaded_spheres("spheres of " + g.name, columns.size(), 2, background, set, [&](const point& p) {
         const column& here = columns[p.column];
         const auto mean = [&](const auto& at_interface) {
             sample_stream uniform{0};

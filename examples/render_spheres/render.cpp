@@ -92,7 +92,7 @@ std::vector<sphere> render(const material& m, const baked_light& light, const ve
     });
 
     const reference_map map(light.pyramid.level(0));
-    return shaded_spheres("spheres of " + m.name, light.levels.size(), background, set, [&](const point& p) {
+    return shaded_spheres("spheres of " + m.name, light.levels.size(), 3, background, set, [&](const point& p) {
         const surface s{m, light, light.levels[p.column], map};
         const vec3& n = p.normal;
         return shaded{{single_scattering(s, n), fdez_aguera(s, n), multiple_scattering(s, n)},

@@ -1,13 +1,13 @@
 #include "tiles.hpp"
 
 #include "../common/progress.hpp"
+#include "random.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <glm/common.hpp>
 #include <lobe/core/vector.hpp>
-#include <lobe/sampling/sample_mean.hpp>
 #include <tbb/parallel_for.h>
 
 namespace {
@@ -49,25 +49,21 @@ vec3 disc::normal(int x, int y) const {
     return lobe::normalize(vec3{-std::sqrt(1 - right * right - up * up), up, right});
 }
 
-std::vector<sphere> shaded_spheres(const std::string& name, std::size_t columns, const vec3& background,
-                                   const settings& set, const std::function<shaded(const point&)>& shade) {
+std::vector<sphere> shaded_spheres(const std::string& name, std::size_t columns, std::size_t ways,
+                                   const vec3& background, const settings& set,
+                                   const std::function<shaded(const point&)>& shade) {
     const disc area(set.tile);
     const auto tile = static_cast<std::size_t>(set.tile);
     const image blank{set.tile, set.tile};
     std::vector<sphere> spheres(columns);
     for (sphere& s : spheres) {
+        s.ways.assign(ways, blank);
         s.reference = blank;
         s.off.assign(2, blank);
+        s.errors.assign(ways, {});
     }
     std::vector<std::vector<double>> squared_errors(columns, std::vector<double>(tile * tile));
     step progress(name, columns * tile);
-
-    // How many ways there are, the middle of the sphere tells.
-    const std::size_t ways = shade({0, set.tile / 2, set.tile / 2, -V, 0}).ways.size();
-    for (sphere& s : spheres) {
-        s.ways.assign(ways, blank);
-        s.errors.assign(ways, {});
-    }
 
     tbb::parallel_for(std::size_t{0}, columns * tile, [&](std::size_t row) {
         const std::size_t column = row / tile;
@@ -77,7 +73,7 @@ std::vector<sphere> shaded_spheres(const std::string& name, std::size_t columns,
             const float coverage = area.coverage(x, y);
             const std::size_t pixel = row * tile + static_cast<std::size_t>(x);
             shaded s{std::vector<vec3>(ways), {}};
-            if (coverage > 0) s = shade({column, x, y, area.normal(x, y), lobe::detail::mixed_bits(set.seed) ^ pixel});
+            if (coverage > 0) s = shade({column, x, y, area.normal(x, y), mixed_bits(set.seed) ^ pixel});
             out.reference(x, y) = mix(background, s.truth.value, coverage);
             for (std::size_t way = 0; way < ways; ++way) out.ways[way](x, y) = mix(background, s.ways[way], coverage);
             for (std::size_t k = 0; k < out.off.size(); ++k)

@@ -20,13 +20,13 @@ struct point {
     std::uint64_t seed;
 };
 
-/// The normal under the middle of the pixel of a tile; at the rim, where the middle may miss, a grazing one.
-/// Nothing where the sphere does not cover the pixel.
+/// What the sphere of a tile covers, and its normals.
 struct disc {
     float radius, centre;
 
     explicit disc(int tile);
     float coverage(int x, int y) const;  // the part of the pixel that the sphere covers
+    /// Under the middle of the pixel; at the rim, where the middle may miss, a grazing one.
     vec3 normal(int x, int y) const;
 
 private:
@@ -36,6 +36,6 @@ private:
 /// The camera is far away and looks along +x, at the middle of the map; y is up, z is on its right.
 inline const vec3 V{-1, 0, 0};
 
-/// Pictures of `columns` spheres, on both cores, and what the ways miss of the truth.
-std::vector<sphere> shaded_spheres(const std::string& name, std::size_t columns, const vec3& background,
-                                   const settings&, const std::function<shaded(const point&)>&);
+/// Pictures of `columns` spheres, each pixel by so many `ways` and in truth, and what the ways miss. On all cores.
+std::vector<sphere> shaded_spheres(const std::string& name, std::size_t columns, std::size_t ways,
+                                   const vec3& background, const settings&, const std::function<shaded(const point&)>&);

@@ -20,11 +20,11 @@ class cube_pyramid;
 
 namespace detail {
 
-/// dw/(dx dy) at a point of a face, x and y in [-1,1].
+/// dw/(dx dy) at a point p of a face of the cube from -1 to 1: |p|^-3.
 template <scalar T>
-constexpr T cube_density(const T& x, const T& y) {
+constexpr T cube_density(const vec3<T>& p) {
     using std::sqrt;
-    const T d2 = x * x + y * y + T(1);
+    const T d2 = dot(p, p);
     return T(1) / (d2 * sqrt(d2));
 }
 
@@ -72,7 +72,8 @@ cube_quarter<T> cube_inner_parts(int n) {
                         const T s = (T(part) + rule.x[j]) / T(2), t = (T(half) + rule.x[i]) / T(2);
                         const T hat = at_edge ? T(1) : T(1) - absolute(s), box(inside ? 1 : 0);
                         total += rule.w[j] * rule.w[i] * (t - T(half)) * (hat + box) / T(2) *
-                                 cube_density(middle(column - 1) + t * T(2) / T(n), middle(row) + s * T(2) / T(n));
+                                 cube_density(vec3<T>{middle(column - 1) + t * T(2) / T(n),
+                                                      middle(row) + s * T(2) / T(n), T(1)});
                     }
         }
         return total / (T(n) * T(n));
@@ -212,7 +213,6 @@ private:
 template <scalar T, class Environment>
 vec3<T> cube_texel_mean(const Environment& environment, int size, int face, int column, int row, int per_axis) {
     using W = detail::wide_t<T>;
-    using std::sqrt;
     vec3<W> total(W(0));
     W weights(0);
     for (int j = 0; j < per_axis; ++j)
@@ -221,7 +221,7 @@ vec3<T> cube_texel_mean(const Environment& environment, int size, int face, int 
                 return (T(texel) + (T(part) + T(0.5f)) / T(per_axis)) / T(size);
             };
             const vec3<T> p = cube_point(face, vec2<T>{along(column, i), along(row, j)});
-            const W d2 = W(dot(p, p)), weight = W(1) / (d2 * sqrt(d2));
+            const W weight = detail::cube_density(vec3<W>(p));
             total += vec3<W>(vec3<T>(environment(normalize(p)))) * weight;
             weights += weight;
         }
@@ -297,7 +297,8 @@ private:
                             const auto on_face = [&](int k, const W& x) { return W(2) * (W(k) + x) / W(size) - W(1); };
                             const W x = rule.x[i] - W(0.5), y = rule.x[j] - W(0.5);
                             const W dw = W(4) * rule.w[i] * rule.w[j] / (W(size) * W(size)) *
-                                         detail::cube_density(on_face(column, rule.x[i]), on_face(row, rule.x[j]));
+                                         detail::cube_density(
+                                             vec3<W>{on_face(column, rule.x[i]), on_face(row, rule.x[j]), W(1)});
                             m.one += dw, m.x += x * dw, m.y += y * dw, m.xy += x * y * dw;
                         }
                     return m;
