@@ -162,6 +162,26 @@ TEST_CASE("refraction as printed", "[glass]") {
         }
 }
 
+TEST_CASE("a sample's pdf and weight are those of its direction", "[glass]") {
+    // what rounding l to double does to the half vector, in widths, is at most some 1e-13 here
+    const auto compare = [](const auto& glass) {
+        int reflected = 0, refracted = 0;
+        for_each_glass_pair(glass, 5, 20000, [&](const auto& v, const auto& s) {
+            const auto e = glass.evaluate(v, s.l);
+            REQUIRE(s.pdf == Catch::Approx(e.pdf).epsilon(1e-8));
+            REQUIRE(s.weight * s.pdf == Catch::Approx(e.f_cos).epsilon(1e-8));
+            ++((s.l.z > 0) == (v.z > 0) ? reflected : refracted);
+        });
+        CHECK(reflected > 1000);
+        CHECK(refracted > 1000);
+    };
+    for (const double eta : {1.33, 2.4, 1 / 1.5}) {
+        compare(rough_dielectric{ggx{alpha{0.3}}, smith_joint{}, eta});
+        compare(rough_dielectric{ggx{alpha_xy{0.8, 0.1}}, smith_product{}, eta, lobe::importance_transport{}});
+        compare(rough_dielectric{lobe::beckmann{alpha{0.5}}, smith_product{}, eta});
+    }
+}
+
 TEST_CASE("the reflection of an interface is that of microfacet: from above to the bit", "[glass]") {
     random_numbers random(3);
     const auto compare = [&](const auto& ndf, const auto& interface_mask, const auto& mask, float eta) {
