@@ -62,14 +62,10 @@ scene ball_in_a_furnace(const material& m) {
 
 /// All kinds of lights and surfaces, lights large enough for BRDF samples to find.
 scene room() {
-    scene s = still_life(LOBE_EXAMPLE_MODEL, uniform_light());
-    for (vec3& c : s.environment.pixels) c = vec3{0.1f};
-    for (int i = 0; i < 4; ++i) s.environment.pixels[static_cast<std::size_t>(34 + i)] = vec3{1.5f};
-    s.environment = lobe::latlong<float>{16, 8, s.environment.pixels};
-    // smooth glass shows lights to no light sample
-    s.triangles.clear();
-    s.spheres.clear();
-    for (material& m : s.materials) m.emission *= 0.3f;
+    std::vector<vec3> sky(16 * 8, vec3{0.1f});
+    for (std::size_t i = 34; i < 38; ++i) sky[i] = vec3{1.5f};
+    scene s{{}, {}, {}, {16, 8, sky}, {{-6.4f, 2.1f, 0}, {0, 0.62f, 0}, 0.31f}};
+    add_obj(s, LOBE_EXAMPLE_MODEL, {1.8f, 0, -2.2f}, 1.2f);
     s.add_rectangle({-12, 0, -12}, {0, 0, 24}, {24, 0, 0}, s.add(uniform(metallic_roughness(vec3{0.6f}, 0, 0.4f))));
     material lamp = uniform(diffuse(vec3{0}, 0));
     lamp.emission = {4, 3, 2};

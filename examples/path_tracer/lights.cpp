@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <lobe/core/frame.hpp>
+
 namespace {
 
 /// The cone of directions in which a sphere is seen, from outside of it.

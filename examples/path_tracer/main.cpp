@@ -5,6 +5,7 @@
 #include "../common/output.hpp"
 #include "../common/picture.hpp"
 
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -27,7 +28,7 @@ struct options {
     std::filesystem::path model = LOBE_EXAMPLE_MODEL, environment, out = "out";
     settings render{.width = 640, .height = 400, .samples = 64, .seed = 1, .directions = strategy::both};
     int threads = 0;
-    float exposure = 0.6f;
+    float exposure = 0.13f;
 };
 
 const std::map<std::string, strategy> strategies{
@@ -37,6 +38,12 @@ options parsed(int argc, char** argv) {
     options o;
     std::string directions = "both";
     CLI::App app{"Renders path_tracer.png and path_tracer.exr: a model among balls of metal, glass, clay and glaze."};
+    const auto finite = CLI::Validator(
+        [](std::string& text) {
+            // a NaN is within every Range
+            return std::isfinite(std::strtod(text.c_str(), nullptr)) ? std::string() : std::string("must be finite");
+        },
+        "FINITE");
     app.add_option("model", o.model, "OBJ; without it: a gem on a pedestal");
     app.add_option("--environment", o.environment,
                    "Radiance HDR or OpenEXR, width = 2 x height; without it: a studio made here");
@@ -50,7 +57,9 @@ options parsed(int argc, char** argv) {
     app.add_option("--directions", directions, "to light: sampled by both, the brdf or the lights")
         ->check(CLI::IsMember(strategies))
         ->capture_default_str();
-    app.add_option("--exposure", o.exposure, "of the PNG")->check(CLI::Range(0.001f, 1000.0f))->capture_default_str();
+    app.add_option("--exposure", o.exposure, "of the PNG")
+        ->check(CLI::Range(0.001f, 1000.0f) & finite)
+        ->capture_default_str();
     app.add_option("--threads", o.threads, "0: one a core")->check(CLI::Range(0, 1024))->capture_default_str();
     try {
         app.parse(argc, argv);

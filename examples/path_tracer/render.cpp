@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include <glm/exponential.hpp>
+#include <lobe/core/frame.hpp>
 
 namespace {
 

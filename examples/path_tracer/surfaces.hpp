@@ -8,13 +8,14 @@
 #include <type_traits>
 #include <variant>
 
+#include <lobe/brdf/eon.hpp>
 #include <lobe/bsdf/smooth_dielectric.hpp>
 #include <lobe/energy/compensated.hpp>
 #include <lobe/energy/compensated_dielectric.hpp>
 #include <lobe/energy/metallic_roughness.hpp>
-#include <lobe/lobe.hpp>
+#include <lobe/fresnel/materials.hpp>
 
-// What surfaces are made of. One more is its function here and its name in `surface`: four lines.
+// What surfaces are made of. One more is its function here and its name in `surface`.
 
 inline auto diffuse(const vec3& albedo, float roughness) { return lobe::eon{albedo, roughness}; }
 
@@ -75,10 +76,14 @@ inline material glass(float eta, float roughness, const vec3& absorption) {
 // What a path asks a surface for, whatever it is. Tangent space.
 
 template <class B>
+constexpr bool is_open = requires {
+    requires B::transmits;
+};
+template <class B>
 constexpr bool is_discrete = !lobe::samplable_brdf<B> && !lobe::bsdf<B>;
 
 inline bool transmits(const surface& s) {
-    return std::visit([]<class B>(const B&) { return lobe::detail::transmitting<B>(); }, s);
+    return std::visit([]<class B>(const B&) { return is_open<B>; }, s);
 }
 inline bool discrete(const surface& s) {
     return std::visit([]<class B>(const B&) { return is_discrete<B>; }, s);
