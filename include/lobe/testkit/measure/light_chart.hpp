@@ -23,23 +23,23 @@ inline vec3<double> straight_through(const vec3<double>& v, double n) {
 class light_chart {
 public:
     light_chart(const vec3<double>& v, const sides& of)
-        : whole_sphere(of.both), columns(of.both ? 16 : 8), below(v.z < 0), near(upward(v)),
-          far(straight_through(upward(v), of.index(v, -v))) {}
+        : whole_sphere(of.both), columns(of.both ? 16 : 8), below(v.z < 0), same_side(upward(v)),
+          other_side(straight_through(upward(v), of.index(v, -v))) {}
 
     using point = half_vector_chart::point;
     point operator()(double x, double y) const {
-        if (!whole_sphere) return near(x, y);
+        if (!whole_sphere) return same_side(x, y);
         const bool crosses = !(x < 0.5);
-        point p = crosses ? far(2 * x - 1, y) : near(2 * x, y);
+        point p = crosses ? other_side(2 * x - 1, y) : same_side(2 * x, y);
         if (crosses != below) p.l.z = -p.l.z;
         p.area *= 2;
         return p;
     }
 
     std::array<double, 2> find(const vec3<double>& l) const {
-        if (!whole_sphere) return near.find(l);
+        if (!whole_sphere) return same_side.find(l);
         const bool crosses = (l.z < 0) != below;
-        const auto p = crosses ? far.find(upward(l)) : near.find(upward(l));
+        const auto p = crosses ? other_side.find(upward(l)) : same_side.find(upward(l));
         return {crosses ? 0.5 + p[0] / 2 : (std::min)(p[0] / 2, std::nextafter(0.5, 0.0)), p[1]};
     }
 
@@ -48,7 +48,7 @@ public:
 
 private:
     bool below;
-    half_vector_chart near, far;
+    half_vector_chart same_side, other_side;
 };
 
 }  // namespace lobe::testkit::detail

@@ -19,10 +19,12 @@ class reciprocity : public brdf_property<T, N> {
 public:
     using typename brdf_property<T, N>::pair, typename brdf_property<T, N>::values, typename brdf_property<T, N>::V;
     explicit reciprocity(subject<T, N>& judged)
-        : brdf_property<T, N>(judged), both(id::reciprocity, judged.claims.tolerance,
-                                            judged.scatters.both ? why_of_both_sides : why, judged.scatters.eta) {}
+        : brdf_property<T, N>(judged),
+          both(id::reciprocity, judged.claims.tolerance, judged.scatters.both ? why_of_both_sides : why,
+               judged.scatters.eta * judged.scatters.eta) {}
 
     /// f_cos(v,l) cos(theta_v) is f times both cosines; across an interface, f_radiance(v,l)/eta_v^2 is symmetric.
+    /// (The clue's index is squared: a factor that is missing is missing on both sides of the equation, upside down.)
     void at_pair(const pair& p) override {
         if (!this->b.claims.reciprocal) return;
         const values g = this->b.f_cos(p.l, p.v);

@@ -24,8 +24,8 @@ bool is_padding(std::size_t k, double x) {
     return k > 0 && N == 16 && same(x, 0);
 }
 
-/// Integrals of f_cos over the light, or of the weight over u, as power: a number a channel, then the moments of all channels
-/// together.
+/// Integrals of f_cos over the light, or of the weight over u, as power: a number a channel, then the moments of all
+/// channels together.
 template <std::size_t N>
 struct integrals {
     std::array<double, N> value{}, error{};
