@@ -98,7 +98,8 @@ inline std::string wrong_factor(const std::vector<ratio_at>& ratios, double shar
            " of the places looked at: a constant of one part, or within one range of directions";
 }
 
-/// A power of the relative index that is there once too often, or missing, wherever it fails. Empty where there is none.
+/// A power of the relative index that is there once too often, or missing, wherever it fails. Empty where there is
+/// none.
 inline std::string wrong_power_of_index(const std::vector<ratio_at>& ratios) {
     struct clue {
         double power;
@@ -118,7 +119,7 @@ inline std::string wrong_power_of_index(const std::vector<ratio_at>& ratios) {
     for (const clue& c : clues) {
         std::size_t agree = 0, telling = 0;
         for (const ratio_at& r : ratios) {
-            const double factor = std::pow(r.n, c.power);
+            const double factor = std::exp(c.power * std::log(r.n));
             agree += std::abs(r.ratio / factor - 1) < 0.01;
             telling += std::abs(factor - 1) > 0.03;
         }

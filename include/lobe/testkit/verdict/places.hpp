@@ -82,8 +82,8 @@ std::pair<vec3<T>, vec3<T>> random_pair(generator& random, int i, const sides& o
     return placed(v, unit<T>(2 * dot(w, m) * m - w));
 }
 
-/// Of a BSDF, from both sides. From the normal to cos = 0.01, moved by the seed within their gaps, and, unless the subject is isotropic, along both
-/// axes.
+/// From the normal to cos = 0.01, moved by the seed within their gaps, and, unless the subject is isotropic, along both
+/// axes; of a BSDF, from both sides.
 template <class T, std::size_t N>
 std::vector<vec3<T>> views(const subject<T, N>& b) {
     generator random(b.claims.seed);
