@@ -25,6 +25,12 @@ struct options {
         isotropic;
     // f_cos is 0 also where v is below the horizon and l above it (l below, v above: always asked for)
     bool zero_below = false;
+    // f_cos on the whole sphere, v and l on either side: a BSDF. Unset: as `transmits` of the type says, else not
+    std::optional<bool> transmits;
+    // of a BSDF, index below the surface over index above. Unset: as `relative_index()` of the type says, else 1
+    std::optional<double> eta;
+    // of a BSDF, refraction holds (eta_v/eta_l)^2. Unset: as the type's `transports` says, else it does
+    std::optional<bool> radiance;
     bool area_below = false;  // projected_area is right below the horizon, too
 
     // Claims about a Fresnel reflectance, or a set of points.

@@ -61,13 +61,17 @@ report verdict_on(const brdf_functions<T, N>& brdf, const options& o) {
     part([&] {
         generator random(o.seed), random_of_u(o.seed, 2);
         for (int i = 0; i < b.effort.pairs; ++i) {
-            const auto [v, l] = random_pair<T>(random, i);
-            if (!(v.z > T(0)) || !(l.z > T(0))) continue;
+            const auto [v, l] = random_pair<T>(random, i, b.scatters);
+            if (!b.scatters.judged(v) || !b.scatters.judged(l)) continue;
             const pair_of_directions<T, N> pair{.v = v, .l = l, .f = b.f_cos(v, l)};
             for (auto* p : list.all) p->at_pair(pair);
             if (!b.has_sample()) continue;
             const vec3<T> u = random_u<T>(random_of_u, b.raw.numbers);
-            show_sample(v, u, b.sample(v, u));
+            const drawn<T, N> s = b.sample(v, u);
+            show_sample(v, u, s);
+            if (!s.ok || !b.scatters.both) continue;  // where a narrow lobe refracts to, only its samples know
+            const pair_of_directions<T, N> sampled{.v = v, .l = s.l, .f = b.f_cos(v, s.l)};
+            for (auto* p : list.all) p->at_pair(sampled);
         }
     });
     part(note);
@@ -98,6 +102,8 @@ report verdict_on(const brdf_functions<T, N>& brdf, const options& o) {
 
 /// Judges any type with `f_cos(v, l)`, or a function of (v, l) that returns it: f(v,l) cos(theta_l), in tangent space,
 /// directions pointing away from the surface. A scalar or rgb (or any spectrum that [] reads), in float or double.
+/// A BSDF, which says `static constexpr bool transmits = true` (or options.transmits), on the whole sphere, f
+/// |cos(theta_l)|.
 /// `sample(v, u)`, which returns l, weight and pdf of two random numbers, or of three where it takes no two, and
 /// `pdf(v, l)` are verified where they exist, each on its own.
 template <class B>

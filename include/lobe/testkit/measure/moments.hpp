@@ -1,8 +1,9 @@
 // What a sampler and a density are compared by, beside their integrals.
 #pragma once
 
-#include <lobe/core/vector.hpp>
+#include <lobe/testkit/subject/sides.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -13,9 +14,9 @@ namespace lobe::testkit::detail {
 inline std::array<double, 5> moments(const vec3<double>& m, double cosine) {
     return {std::abs(m.x), std::abs(m.y), cosine, m.x, m.y};
 }
-/// Of a light direction: by its half vector with v.
+/// Of a light direction: by its half vector with v, of its mirror image where it lies on the other side.
 inline std::array<double, 5> moments_of_light(const vec3<double>& v, const vec3<double>& l) {
-    return moments(normalize(v + l), l.z);
+    return moments(normalize(upward(v) + upward(l)), (std::max)(0.0, v.z < 0 ? -l.z : l.z));
 }
 
 }  // namespace lobe::testkit::detail

@@ -12,6 +12,9 @@ namespace lobe::testkit::detail {
 
 /// theta = (pi/2) x^4, phi = 2 pi y.
 struct normal_chart {
+    static constexpr bool whole_sphere = false;
+    static constexpr int columns = 8;  // of a mesh
+
     struct point {
         vec3<double> l;
         double area;  // in sr a unit of the square

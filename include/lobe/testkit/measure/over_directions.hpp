@@ -20,8 +20,8 @@ template <std::size_t N, class Chart>
 void integrate(mesh<N>& m, const Chart& chart, const vec3<double>& fixed, const hints& crowded, const budget& b,
                std::size_t colours) {
     for (const vec3<double>& w : {fixed, vec3<double>{0, 0, 1}}) {
-        const auto peak = chart.find(w);
-        m.refine_at(peak[0], peak[1], 4);
+        for (const auto& peak : {chart.find(w), chart.find(chart.whole_sphere ? -w : w)})
+            m.refine_at(peak[0], peak[1], 4);
     }
     m.refine_crowded(crowded, 24, 12);
     m.refine(b.tolerance, colours, b.evaluations);

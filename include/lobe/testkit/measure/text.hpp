@@ -83,6 +83,7 @@ struct place {
     vec3<T> v{}, l{};
     vec3<T> u{};
     bool has_v = true, has_l = true;
+    bool both_sides = false;  // below is as good as above
     int numbers = 0;          // how many of u there are
     const char* first = "v";  // what v is: a normal, in places of a distribution
     void write(line& out) const {

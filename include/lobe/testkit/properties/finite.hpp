@@ -72,7 +72,9 @@ public:
                    .meaning = "the BRDF returned 0 for every pair of directions: nothing can be verified"});
         report_values(
             r, this->b.of_f, id::f_cos,
-            "light from below the horizon is reflected: the sign of a cosine is lost (abs) or never looked at");
+            this->b.seems_to_transmit()
+                ? seems_to_transmit
+                : "light from below the horizon is reflected: the sign of a cosine is lost (abs) or never looked at");
     }
 };
 
@@ -85,8 +87,10 @@ public:
         if (brdf.has_pdf()) report_values(r, brdf.of_pdf, id::pdf);
         if (!brdf.has_sample()) return;
         report_values(r, brdf.of_sample, id::sample,
-                      brdf.most_samples_are_lost() ? most_are_lost
-                                                   : "a sample below the horizon carries light: its weight must be 0");
+                      brdf.seems_to_transmit() ? seems_to_transmit
+                      : brdf.most_samples_are_lost()
+                          ? most_are_lost
+                          : "a sample below the horizon carries light: its weight must be 0");
         r.add(id::unit_samples,
               {.passed = brdf.lengths.holds(),
                .measured = brdf.lengths.worst,

@@ -25,9 +25,13 @@ public:
         : brdf_property<T, N>(judged),
           of_view(
               judged.claims.lossless ? id::lossless_furnace : id::furnace,
-              "energy is gained: a diffuse part that does not give up what the specular part reflects, a D that is not "
-              "normalised, a "
-              "masking that is missing or of another width, a compensation with the wrong average, or a constant",
+              judged.scatters.both
+                  ? "energy is gained: reflection and refraction do not share it (F and 1 - F of the same v.m), the "
+                    "Jacobian of the refracted half vector, (eta_v/eta_l)^2 of radiance missing or upside down, a D "
+                    "that is not normalised, or a masking that is missing"
+                  : "energy is gained: a diffuse part that does not give up what the specular part reflects, a D that "
+                    "is not normalised, a masking that is missing or of another width, a compensation with the wrong "
+                    "average, or a constant",
               judged.claims.lossless ? relation::equal : relation::at_most,
               "energy is lost: single scattering only, a factor too many, or a compensation with the wrong average") {}
 
@@ -74,10 +78,12 @@ public:
                 const auto p = from.chart(x, y);
                 const V v(p.l);
                 values f = brdf.f_cos(v, l);
-                for (double& f_k : f) f_k *= p.area * static_cast<double>(v.z) / static_cast<double>(l.z);
+                const double power = p.area * std::abs(static_cast<double>(v.z) / static_cast<double>(l.z)) *
+                                     brdf.scatters.power_of_light(v, l);
+                for (double& f_k : f) f_k *= power;
                 return f;
             },
-            8, 16, N);
+            from.chart.columns, 16, N);
         integrate(*over_v, from.chart, from.w, {}, brdf.effort, N);
         const double allowed =
             brdf.claims.tolerance +

@@ -52,7 +52,7 @@ public:
                 const auto p = from.chart(x, y);
                 return mesh<1>::values{pdf(from.v, V(p.l)) * p.area};
             },
-            8, 16, 1);
+            from.chart.columns, 16, 1);
         integrate(*total, from.chart, from.w, {}, brdf.effort, 1);
         const auto integral = doubtable_integral<1>(total);
         at_most.add([&](bool doubted) -> view_result {
@@ -138,10 +138,11 @@ class weights : public brdf_property<T, N> {
 public:
     using typename brdf_property<T, N>::sample;
     explicit weights(subject<T, N>& judged)
-        : brdf_property<T, N>(judged),
-          product(id::weight_times_pdf, judged.claims.tolerance, "the weight of a sample is not f_cos / pdf"),
+        : brdf_property<T, N>(judged), product(id::weight_times_pdf, judged.claims.tolerance,
+                                               "the weight of a sample is not f_cos / pdf", judged.scatters.eta),
           same_pdf(id::same_pdf, judged.claims.tolerance,
-                   "sample and pdf are two formulas: another width, another measure, or another lobe") {}
+                   "sample and pdf are two formulas: another width, another measure, or another lobe",
+                   judged.scatters.eta) {}
 
     void at_sample(const sample& one) override {
         for (std::size_t k = 0; k < N; ++k)

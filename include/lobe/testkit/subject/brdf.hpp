@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lobe/core/vector.hpp>
+#include <lobe/testkit/subject/sides.hpp>
 #include <lobe/testkit/subject/spectrum.hpp>
 
 #include <concepts>
@@ -56,7 +57,7 @@ struct drawn {
     vec3<T> l{};
     std::array<double, N> weight{};
     double pdf = 0;
-    bool ok = false;  // a density above zero and l above the horizon
+    bool ok = false;  // a density above zero and l where the subject scatters to
 };
 
 /// A stranger's functions, those that exist: the judge is compiled once for a scalar type and a number of channels, not
@@ -70,6 +71,7 @@ struct brdf_functions {
     int numbers = 2;  // of u, that sample takes
     std::function<std::pair<values, double>(const vec3<T>& v, const vec3<T>& l)> evaluate;
     bool isotropic = false;
+    detail::sides sides{};
     bool misfit_sample = false, misfit_pdf = false;  // there is a member of that name, but it cannot be called
 };
 
@@ -140,6 +142,18 @@ auto interface_of(const B& b) {
                       { B::isotropic } -> std::convertible_to<bool>;
                   })
         out.isotropic = B::isotropic;
+    if constexpr (requires {
+                      { B::transmits } -> std::convertible_to<bool>;
+                  })
+        out.sides.both = B::transmits;
+    if constexpr (requires {
+                      { b.relative_index() } -> std::convertible_to<double>;
+                  })
+        out.sides.eta = static_cast<double>(b.relative_index());
+    if constexpr (requires {
+                      { B::transports::scale(2.0) } -> std::convertible_to<double>;
+                  })
+        out.sides.radiance = B::transports::scale(2.0) < 1;
     return out;
 }
 

@@ -19,16 +19,22 @@ public:
 
     subject(brdf_functions<T, N> judged, const options& claimed)
         : raw(std::move(judged)), claims(claimed), effort(budget_of(claimed.effort)),
-          isotropic(claimed.isotropic.value_or(raw.isotropic)) {}
+          isotropic(claimed.isotropic.value_or(raw.isotropic)), scatters{.both =
+                                                                             claimed.transmits.value_or(raw.sides.both),
+                                                                         .eta = claimed.eta.value_or(raw.sides.eta),
+                                                                         .radiance = claimed.radiance.value_or(
+                                                                             raw.sides.radiance)} {}
 
     bool has_pdf() const { return static_cast<bool>(raw.pdf); }
     bool has_sample() const { return static_cast<bool>(raw.sample); }
+    /// It scatters below, and samples there, without a word.
+    bool seems_to_transmit() const { return of_f.below.count > 0 && of_sample.below.count > 0; }
     bool most_samples_are_lost() const { return lost_samples > 4 * good_samples; }
 
     values f_cos(const V& v, const V& l) {
-        last = {.v = v, .l = l};
+        last = {.v = v, .l = l, .both_sides = scatters.both};
         values out = raw.f_cos(v, l);
-        const bool vanish = l.z < 0 && v.z > 0 ? true : claims.zero_below && v.z < 0;
+        const bool vanish = !scatters.both && (l.z < 0 && v.z > 0 ? true : claims.zero_below && v.z < 0);
         ++of_f.calls;
         for (std::size_t i = 0; i < N; ++i) {
             out[i] = of_f.see(out[i], last, vanish, [&](const V& a, const V& c) { return raw.f_cos(a, c)[i]; });
@@ -38,13 +44,13 @@ public:
     }
 
     double pdf(const V& v, const V& l) {
-        last = {.v = v, .l = l};
+        last = {.v = v, .l = l, .both_sides = scatters.both};
         ++of_pdf.calls;
         return of_pdf.see(raw.pdf(v, l), last, false, raw.pdf);
     }
 
     drawn<T, N> sample(const V& v, const V& u) {
-        last = {.v = v, .u = u, .has_l = false, .numbers = raw.numbers};
+        last = {.v = v, .u = u, .has_l = false, .both_sides = scatters.both, .numbers = raw.numbers};
         drawn<T, N> s = raw.sample(v, u);
         ++of_sample.calls;
         s.pdf = of_sample.see(s.pdf, last, false);
@@ -57,13 +63,13 @@ public:
             for (const T x : {s.l.x, s.l.y, s.l.z}) of_sample.see(static_cast<double>(std::abs(x)), last, false);
             lengths.see(s.l, last);
             if (!all_finite(s.l)) s.l = V(0);
-            if (!(s.l.z > 0) && carries_light)
+            if (!scatters.judged(s.l) && carries_light)
                 of_sample.below.add(s.weight[0], last, of_sample.calls, std::abs(s.weight[0]));
         } else if (carries_light) {
             if (!light_without_pdf++) light_place = last;
         }
-        s.ok = s.pdf > 0 && s.l.z > 0;
-        if (v.z > 0) ++(s.ok ? good_samples : lost_samples);
+        s.ok = s.pdf > 0 && scatters.judged(s.l);
+        if (scatters.judged(v)) ++(s.ok ? good_samples : lost_samples);
         if (!s.ok) s.weight = {};
         return s;
     }
@@ -85,6 +91,7 @@ public:
     const options claims;
     const budget effort;
     const bool isotropic;
+    const sides scatters;
 
     watch<T> of_f{}, of_pdf{}, of_sample{};
     length_watch<T> lengths{};

@@ -41,7 +41,7 @@ struct watch {
         bool denormal = false;
         for (const auto& [has, w] : {std::pair(at.has_v, at.v), {at.has_l, at.l}}) {
             if (!has) continue;
-            lowest = (std::min)(lowest, static_cast<double>(w.z));
+            lowest = (std::min)(lowest, static_cast<double>(at.both_sides ? std::abs(w.z) : w.z));
             for (const T x : {w.x, w.y, w.z})
                 denormal |= std::abs(x) > T(0) && std::abs(x) < (std::numeric_limits<T>::min)();
         }

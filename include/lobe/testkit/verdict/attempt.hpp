@@ -13,6 +13,7 @@ namespace lobe::testkit {
 
 namespace id {
 inline constexpr property_id tolerance{"tolerance", "options.tolerance is above 0, and a number"};
+inline constexpr property_id eta{"eta", "options.eta is above 0, and a number"};
 inline constexpr property_id few_numbers{"few_numbers", "a spectrum has at most 16 numbers"};
 inline constexpr property_id no_exception{"no_exception", "no exception"};
 }  // namespace id
@@ -28,6 +29,11 @@ inline report opened(const options& o) {
                .measured = o.tolerance,
                .expected = 2e-3,
                .meaning = "it is the relative error that counts; with this one nothing can be verified"});
+    if (const double eta = o.eta.value_or(1); !is_finite(eta) || !(eta > 0))
+        r.add(id::eta, {.passed = false,
+                        .measured = eta,
+                        .expected = 1.5,
+                        .meaning = "it is the index below the surface over the index above"});
     return r;
 }
 

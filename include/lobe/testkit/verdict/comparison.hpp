@@ -4,10 +4,12 @@
 #include <lobe/testkit/measure/numbers.hpp>
 #include <lobe/testkit/measure/random.hpp>
 #include <lobe/testkit/measure/text.hpp>
+#include <lobe/testkit/subject/sides.hpp>
 #include <lobe/testkit/verdict/diagnosis.hpp>
 #include <lobe/testkit/verdict/report.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -40,8 +42,9 @@ private:
 template <class T>
 class comparison {
 public:
-    comparison(const property_id& of, double relative, std::string meaning)
-        : property(of), tolerance(relative), otherwise(std::move(meaning)) {}
+    /// `eta`: of a BSDF, index below the surface over index above.
+    comparison(const property_id& of, double relative, std::string meaning, double eta = 1)
+        : property(of), tolerance(relative), otherwise(std::move(meaning)), both_sides{.both = true, .eta = eta} {}
 
     /// Values at which T begins to lose digits say nothing.
     static constexpr double smallest = 1e6 * static_cast<double>((std::numeric_limits<T>::min)());
@@ -56,6 +59,7 @@ public:
         const double size = (std::max)(std::abs(measured), std::abs(expected));
         if (!(size > smallest)) return;
         ++count;
+        ++seen[part_of(at)];
         lowest_cosines.add(lowest_cosine(at));
         if (!same(expected, 0)) ratios.add(ratio_of(measured, expected));
         const suspect one{.measured = measured,
@@ -67,6 +71,7 @@ public:
         if (one.deviation > close.deviation) close = one;
         if (!(one.deviation > tolerance)) return;
         ++deviating;
+        ++failing[part_of(at)];
         spread.add(one);
         largest.push_back(one);
         if (largest.size() == 4 * worst_kept) keep_largest();
@@ -112,10 +117,11 @@ public:
             if (excess > 1) {
                 wrong_ones.push_back(s);
                 wrong.push_back({.ratio = ratio_of(s.measured, s.expected),
-                                 .v = vec3<double>(s.at.v),
-                                 .l = vec3<double>(s.at.l),
+                                 .v = upward(vec3<double>(s.at.v)),
+                                 .l = upward(vec3<double>(s.at.l)),
                                  .allowed = limit / size,
                                  .expected = s.expected,
+                                 .n = both_sides.index(s.at.v, s.at.l),
                                  .rest = same(s.part, 0) ? 0 : s.measured / s.part});
             }
             if (excess > worst) worst = excess, allowed = limit, at = s;
@@ -158,12 +164,50 @@ private:
     };
 
     static double lowest_cosine(const place<T>& at) {
-        return (std::min)(at.has_v ? static_cast<double>(at.v.z) : 1.0, at.has_l ? static_cast<double>(at.l.z) : 1.0);
+        const auto cosine = [&](const vec3<T>& w) { return std::abs(static_cast<double>(w.z)); };
+        return (std::min)(at.has_v ? cosine(at.v) : 1.0, at.has_l ? cosine(at.l) : 1.0);
+    }
+
+    /// Reflection from above, from below, refraction from above, from below.
+    static std::size_t part_of(const place<T>& at) {
+        if (!at.has_l) return 0;
+        return (at.v.z < T(0) ? 1u : 0u) + ((at.v.z < T(0)) != (at.l.z < T(0)) ? 2u : 0u);
+    }
+    /// The parts of a BSDF that fail, if not all do.
+    std::string parts_that_fail(const std::vector<suspect>& wrong, double& share) const {
+        std::array<bool, 4> fails{};
+        for (const suspect& s : wrong) fails[part_of(s.at)] = true;
+        double places = 0, bad = 0;
+        bool others = false;
+        for (std::size_t i = 0; i < 4; ++i) {
+            others |= !fails[i] && seen[i] > 0;
+            if (fails[i]) places += static_cast<double>(seen[i]), bad += static_cast<double>(failing[i]);
+        }
+        if (!others || seen[1] + seen[2] + seen[3] == 0) return "";
+        share = bad / places;
+        const bool reflection = fails[0] || fails[1], refraction = fails[2] || fails[3],
+                   from_above = fails[0] || fails[2], from_below = fails[1] || fails[3];
+        return std::string(reflection && refraction ? ""
+                           : reflection             ? "of reflection alone"
+                                                    : "of refraction alone") +
+               (reflection && refraction   ? ""
+                : from_above && from_below ? ""
+                                           : ", ") +
+               (from_above && from_below ? ""
+                : from_above             ? "from above alone"
+                                         : "from below alone") +
+               ": ";
     }
 
     /// From what was measured: a factor, a clamp, a floor, how much of all places is concerned.
     std::string clue(const std::vector<ratio_at>& wrong, const std::vector<suspect>& ones, double typical) const {
-        const double share = static_cast<double>(deviating) / static_cast<double>(count);
+        double share = static_cast<double>(deviating) / static_cast<double>(count);
+        const std::string where = parts_that_fail(ones, share);
+        return where + clue_of_parts(wrong, ones, typical, share);
+    }
+    std::string clue_of_parts(const std::vector<ratio_at>& wrong, const std::vector<suspect>& ones, double typical,
+                              double share) const {
+        if (std::string power = wrong_power_of_index(wrong); !power.empty()) return power;
         if (std::string factor = wrong_factor(wrong, share); !factor.empty()) return factor;
         if (std::string epsilon = added_epsilon(wrong); !epsilon.empty()) return epsilon;
         std::size_t clamped = 0;
@@ -196,6 +240,8 @@ private:
     property_id property;
     double tolerance;
     std::string otherwise;
+    sides both_sides;
+    std::array<long, 4> seen{}, failing{};
     long count = 0, deviating = 0, none = 0;
     place<T> none_at{};
     double none_value = 0;

@@ -58,7 +58,7 @@ public:
                 const auto t = moments_of(p.l);
                 return values{d, d * t[0], d * t[1], d * t[2], d * t[3], d * t[4]};
             },
-            8, 16, 4);
+            chart.columns, 16, 4);
         integrate(*over_l, chart, v, some, effort, 1);
         const auto sampled = over_u.template of<6>(
             [&](const vec3<T>& u) {

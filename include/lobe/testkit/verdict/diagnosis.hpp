@@ -18,6 +18,7 @@ struct ratio_at {
     double ratio = 1;
     vec3<double> v{}, l{};
     double allowed = 0, expected = 0;
+    double n = 1;     // index of l over index of v
     double rest = 0;  // of a product, what is measured over its known part: of weight * pdf, the pdf
 };
 inline double ratio_of(double measured, double expected) {
@@ -95,6 +96,36 @@ inline std::string wrong_factor(const std::vector<ratio_at>& ratios, double shar
     if (share_that_fails > 0.9) return "the same factor " + number(middle) + " wherever it fails: a constant is wrong";
     return "the same factor " + number(middle) + ", at " + percent(share_that_fails) +
            " of the places looked at: a constant of one part, or within one range of directions";
+}
+
+/// A power of the relative index that is there once too often, or missing, wherever it fails. Empty where there is
+/// none.
+inline std::string wrong_power_of_index(const std::vector<ratio_at>& ratios) {
+    struct clue {
+        double power;
+        const char* meaning;
+    };
+    static constexpr clue clues[] = {
+        {2, "(eta_l/eta_v)^2 times the expected: (eta_v/eta_l)^2, which radiance is scaled by, is missing, or is there "
+            "and not meant (options.radiance, options.eta)"},
+        {-2, "(eta_v/eta_l)^2 times the expected: that factor of radiance is applied twice, or of the Jacobian of the "
+             "refracted half vector one too many"},
+        {4, "(eta_l/eta_v)^4 times the expected: (eta_v/eta_l)^2, which radiance is scaled by, is upside down"},
+        {-4, "(eta_v/eta_l)^4 times the expected: (eta_v/eta_l)^2, which radiance is scaled by, is upside down"},
+        {1, "eta_l/eta_v times the expected: an index is missing, or one too many"},
+        {-1, "eta_v/eta_l times the expected: an index is missing, or one too many"},
+    };
+    if (ratios.size() < 3) return "";
+    for (const clue& c : clues) {
+        std::size_t agree = 0, telling = 0;
+        for (const ratio_at& r : ratios) {
+            const double factor = std::exp(c.power * std::log(r.n));
+            agree += std::abs(r.ratio / factor - 1) < 0.01;
+            telling += std::abs(factor - 1) > 0.03;
+        }
+        if (10 * agree >= 9 * ratios.size() && 2 * telling > ratios.size()) return c.meaning;
+    }
+    return "";
 }
 
 /// An epsilon that is added to something, in a denominator or in a factor, shows: it is the same at all places. Empty

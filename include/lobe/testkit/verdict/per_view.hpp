@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lobe/testkit/measure/numbers.hpp>
+#include <lobe/testkit/subject/sides.hpp>
 #include <lobe/testkit/verdict/diagnosis.hpp>
 #include <lobe/testkit/verdict/report.hpp>
 
@@ -47,16 +48,18 @@ public:
         add(one);
     }
     void add(const view_result& one) {
-        const double excess = excess_of(one);
+        const double excess = excess_of(one), cosine = std::abs(one.v.z);
         if (excess > 1) {
             wrong.push_back({.ratio = ratio_of(one.measured, one.expected),
-                             .v = one.v,
+                             .v = upward(one.v),
                              .l = {0, 0, 1},
                              .allowed = one.allowed / (std::max)(1e-30, std::abs(one.expected))});
-            lowest_wrong = (std::min)(lowest_wrong, one.v.z), highest_wrong = (std::max)(highest_wrong, one.v.z);
+            lowest_wrong = (std::min)(lowest_wrong, cosine), highest_wrong = (std::max)(highest_wrong, cosine);
+            ++(one.v.z < 0 ? wrong_below : wrong_above);
         } else {
-            lowest_right = (std::min)(lowest_right, one.v.z), highest_right = (std::max)(highest_right, one.v.z);
+            lowest_right = (std::min)(lowest_right, cosine), highest_right = (std::max)(highest_right, cosine);
         }
+        below += one.v.z < 0;
         ++count;
         most_rounding = (std::max)(most_rounding, one.rounding);
         if (excess > worst) worst = excess, result = one;
@@ -74,8 +77,12 @@ public:
 
 private:
     std::string clue() const {
+        if (below == 0 || below == count || (wrong_above > 0 && wrong_below > 0)) return clue_of_side();
+        return (wrong_below ? "from below the surface alone: " : "from above the surface alone: ") + clue_of_side();
+    }
+    std::string clue_of_side() const {
         const double times = ratio_of(result.measured, result.expected),
-                     share = static_cast<double>(wrong.size()) / count;
+                     share = static_cast<double>(wrong.size()) / seen();
         if (lacks_one_over_pi())
             return "the same albedo from everywhere, " + number(times, 3) +
                    ": a missing 1/pi (it is plausible once divided by pi), or an albedo above 1";
@@ -95,6 +102,8 @@ private:
             return "only near the normal, n.v at least " + number(lowest_wrong, 2) + by + ": " + why;
         return why;
     }
+    /// How many views there are of the sides from which it fails.
+    int seen() const { return wrong_above > 0 && wrong_below > 0 ? count : wrong_below > 0 ? below : count - below; }
     double least_ratio() const {
         double least = 1e300;
         for (const ratio_at& r : wrong) least = (std::min)(least, r.ratio);
@@ -109,7 +118,7 @@ private:
     }
     /// A furnace that may be anything up to 1: pi times an albedo, from every view.
     bool lacks_one_over_pi() const {
-        if (!upper_bound || wrong.size() < static_cast<std::size_t>(count)) return false;
+        if (!upper_bound || wrong.size() < static_cast<std::size_t>(seen())) return false;
         const auto [low, high] = std::minmax_element(
             wrong.begin(), wrong.end(), [](const ratio_at& a, const ratio_at& b) { return a.ratio < b.ratio; });
         return high->ratio < 1.01 * low->ratio && low->ratio > 1.1 && high->ratio < 1.01 * std::numbers::pi;
@@ -120,7 +129,7 @@ private:
     view_result result;
     bool upper_bound;
     double worst = -1e300;
-    int count = 0;
+    int count = 0, below = 0, wrong_above = 0, wrong_below = 0;
     std::vector<ratio_at> wrong;
     double most_rounding = 0;
     double lowest_wrong = 1e300, highest_wrong = -1e300, lowest_right = 1e300, highest_right = -1e300;

@@ -1,6 +1,7 @@
 // Where to look at a BRDF: extremes, pairs of directions over all scales, views.
 #pragma once
 
+#include <lobe/testkit/measure/light_chart.hpp>
 #include <lobe/testkit/measure/random.hpp>
 #include <lobe/testkit/subject/subject.hpp>
 
@@ -11,6 +12,10 @@
 
 namespace lobe::testkit::detail {
 
+template <class T>
+vec3<T> mirrored(const vec3<T>& w) {
+    return {w.x, w.y, -w.z};
+}
 template <class T>
 vec3<T> unit(const vec3<double>& w) {
     return vec3<T>(normalize(w));
@@ -53,26 +58,32 @@ void sweep(subject<T, N>& b, const Note& note) {
         for (const T x : edges)
             for (const T y : edges)
                 for (const T z : third)
-                    if (w[i].z > T(0)) b.sample(w[i], {x, y, z});
+                    if (b.scatters.judged(w[i])) b.sample(w[i], {x, y, z});
 }
 
+/// Of a BSDF, each on either side; light on the other side as if v came straight through a smooth interface.
 /// One in three: two independent directions; else l mirrored at a normal of any slope from 1e-4 to 10. One in four near
 /// grazing.
 template <class T>
-std::pair<vec3<T>, vec3<T>> random_pair(generator& random, int i) {
+std::pair<vec3<T>, vec3<T>> random_pair(generator& random, int i, const sides& of) {
+    const bool below = of.both && random() < 0.5, crosses = of.both && random() < 0.5;
+    const auto placed = [&](const vec3<T>& v, const vec3<T>& l) {
+        return std::pair(below ? mirrored(v) : v, below != crosses ? mirrored(l) : l);
+    };
     const double z = i % 4 == 3 ? random.log_between(1e-6, 1e-1) : random(), azimuth = tau * random();
     const vec3<T> v = direction<T>(z, azimuth);
     if (i % 3 == 0) {
         const double cosine = i % 8 == 0 ? random.log_between(1e-6, 1) : random();
-        return {v, direction<T>(cosine, tau * random())};
+        return placed(v, direction<T>(cosine, tau * random()));
     }
     const double slope = random.log_between(1e-4, 10), turn = tau * random();
-    const vec3<double> w(v), m = normalize(vec3<double>(slope * std::cos(turn), slope * std::sin(turn), 1));
-    return {v, unit<T>(2 * dot(w, m) * m - w)};
+    const vec3<double> w = crosses ? straight_through(vec3<double>(v), below ? 1 / of.eta : of.eta) : vec3<double>(v),
+                       m = normalize(vec3<double>(slope * std::cos(turn), slope * std::sin(turn), 1));
+    return placed(v, unit<T>(2 * dot(w, m) * m - w));
 }
 
 /// From the normal to cos = 0.01, moved by the seed within their gaps, and, unless the subject is isotropic, along both
-/// axes.
+/// axes; of a BSDF, from both sides.
 template <class T, std::size_t N>
 std::vector<vec3<T>> views(const subject<T, N>& b) {
     generator random(b.claims.seed);
@@ -85,6 +96,8 @@ std::vector<vec3<T>> views(const subject<T, N>& b) {
     if (!b.isotropic)
         for (const double mu : {0.7, 0.15})
             for (const double azimuth : {0.0, tau / 4}) all.push_back(direction<T>(mu, azimuth));
+    if (!b.scatters.both) return all;
+    for (std::size_t i = 0, n = all.size(); i < n; ++i) all.push_back(mirrored(all[i]));
     return all;
 }
 

@@ -11,8 +11,12 @@
 namespace lobe::testkit::detail {
 
 inline constexpr const char* most_are_lost = "most samples fail or point below the horizon: -l in the place of l (the "
-                                             "reflect(i, m) of GLSL and GLM wants i = -v), or light that "
-                                             "is transmitted, which is not judged here";
+                                             "reflect(i, m) of GLSL and GLM wants i = -v), or light that is "
+                                             "transmitted: then say so, options.transmits = true";
+inline constexpr const char* seems_to_transmit =
+    "it scatters light below the surface, and samples it there: a BSDF has "
+    "to say so, `static constexpr bool transmits = true`, or "
+    "options.transmits = true";
 
 template <class T, std::size_t N>
 class stray_samples : public brdf_property<T, N> {
@@ -48,6 +52,7 @@ public:
             return percent(one_direction) + " of the samples from one v are one and the same direction: a "
                                             "perfect mirror, or a lobe without width, which no "
                                             "density describes; give it a small roughness, or leave it out";
+        if (this->b.seems_to_transmit()) return seems_to_transmit;
         if (this->b.most_samples_are_lost()) return most_are_lost;
         for (std::size_t i = 0; i < std::size(turns); ++i)
             if (turned >= 20 && 10 * turned_right[i] > 9 * turned)

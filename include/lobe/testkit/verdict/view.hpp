@@ -2,7 +2,7 @@
 #pragma once
 
 #include <lobe/testkit/measure/expectation.hpp>
-#include <lobe/testkit/measure/half_vector_chart.hpp>
+#include <lobe/testkit/measure/light_chart.hpp>
 #include <lobe/testkit/measure/moments.hpp>
 #include <lobe/testkit/measure/over_directions.hpp>
 #include <lobe/testkit/measure/rounding.hpp>
@@ -24,8 +24,8 @@ bool is_padding(std::size_t k, double x) {
     return k > 0 && N == 16 && same(x, 0);
 }
 
-/// Integrals of f_cos over the light, or of the weight over u: a number a channel, then the moments of all channels
-/// together.
+/// Integrals of f_cos over the light, or of the weight over u, as power: a number a channel, then the moments of all
+/// channels together.
 template <std::size_t N>
 struct integrals {
     std::array<double, N> value{}, error{};
@@ -42,7 +42,8 @@ public:
     using values = std::array<double, N>;
 
     view(subject<T, N>& judged, const V& from, std::uint64_t seed_of_view)
-        : b(judged), v(from), w(normalize(vec3<double>(from))), text(literal("v", from)), seed(seed_of_view), chart(w) {
+        : b(judged), v(from), w(normalize(vec3<double>(from))), text(literal("v", from)), seed(seed_of_view),
+          chart(w, b.scatters) {
         if (!b.has_sample()) return;
         const auto sampler = [this](const V& u) {
             const auto s = b.sample(v, u);
@@ -77,7 +78,7 @@ public:
     vec3<double> w;    // v, of length 1
     std::string text;  // v, as C++
     std::uint64_t seed;
-    half_vector_chart chart;
+    light_chart chart;
     hints some;                            // where samples lie
     int asked = 0;                         // of how many
     std::optional<expectation<T>> over_u;  // where there are samples
@@ -93,16 +94,17 @@ private:
                 const auto p = chart(x, y);
                 const V l(p.l);
                 const values f = b.f_cos(v, l);
+                const double power = p.area * b.scatters.power(v, l);
                 typename mesh<N + 6>::values out{};
                 double sum = 0;
-                for (std::size_t k = 0; k < N; ++k) sum += out[k] = f[k] * p.area;
+                for (std::size_t k = 0; k < N; ++k) sum += out[k] = f[k] * power;
                 if (b.has_pdf())
                     if (sum > 0 && same(b.pdf(v, l), 0)) out[N + 5] = sum;
                 const auto t = moments_of_light(w, p.l);
                 for (std::size_t k = 0; k < 5; ++k) out[N + k] = sum * t[k];
                 return out;
             },
-            8, 16, N + 3);
+            chart.columns, 16, N + 3);
         detail::integrate(*m, chart, w, some, b.effort, N);
         over_l = doubtable_integral<N + 6>(m);
         allowed = b.claims.tolerance +
@@ -116,7 +118,8 @@ private:
                 std::array<double, N + 5> out{};
                 if (!s.ok) return out;
                 double sum = 0;
-                for (std::size_t k = 0; k < N; ++k) sum += out[k] = s.weight[k];
+                const double power = b.scatters.power(v, s.l);
+                for (std::size_t k = 0; k < N; ++k) sum += out[k] = s.weight[k] * power;
                 const auto t = moments_of_light(w, vec3<double>(s.l));
                 for (std::size_t k = 0; k < 5; ++k) out[N + k] = sum * t[k];
                 return out;
