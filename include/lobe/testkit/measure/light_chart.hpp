@@ -2,7 +2,7 @@
 #pragma once
 
 #include <lobe/testkit/measure/half_vector_chart.hpp>
-#include <lobe/testkit/subject/sides.hpp>
+#include <lobe/testkit/measure/sides.hpp>
 
 #include <algorithm>
 #include <array>

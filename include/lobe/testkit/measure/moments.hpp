@@ -1,7 +1,7 @@
 // What a sampler and a density are compared by, beside their integrals.
 #pragma once
 
-#include <lobe/testkit/subject/sides.hpp>
+#include <lobe/testkit/measure/sides.hpp>
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <lobe/core/vector.hpp>
-#include <lobe/testkit/subject/sides.hpp>
+#include <lobe/testkit/measure/sides.hpp>
 #include <lobe/testkit/subject/spectrum.hpp>
 
 #include <concepts>

@@ -3,13 +3,13 @@
 
 #include <lobe/testkit/measure/numbers.hpp>
 #include <lobe/testkit/measure/random.hpp>
+#include <lobe/testkit/measure/sides.hpp>
 #include <lobe/testkit/measure/text.hpp>
-#include <lobe/testkit/subject/sides.hpp>
 #include <lobe/testkit/verdict/diagnosis.hpp>
+#include <lobe/testkit/verdict/parts.hpp>
 #include <lobe/testkit/verdict/report.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -59,7 +59,7 @@ public:
         const double size = (std::max)(std::abs(measured), std::abs(expected));
         if (!(size > smallest)) return;
         ++count;
-        ++seen[part_of(at)];
+        of_bsdf.see(at);
         lowest_cosines.add(lowest_cosine(at));
         if (!same(expected, 0)) ratios.add(ratio_of(measured, expected));
         const suspect one{.measured = measured,
@@ -70,8 +70,7 @@ public:
                           .at = at};
         if (one.deviation > close.deviation) close = one;
         if (!(one.deviation > tolerance)) return;
-        ++deviating;
-        ++failing[part_of(at)];
+        of_bsdf.deviates(at);
         spread.add(one);
         largest.push_back(one);
         if (largest.size() == 4 * worst_kept) keep_largest();
@@ -168,45 +167,14 @@ private:
         return (std::min)(at.has_v ? cosine(at.v) : 1.0, at.has_l ? cosine(at.l) : 1.0);
     }
 
-    /// Reflection from above, from below, refraction from above, from below.
-    static std::size_t part_of(const place<T>& at) {
-        if (!at.has_l) return 0;
-        return (at.v.z < T(0) ? 1u : 0u) + ((at.v.z < T(0)) != (at.l.z < T(0)) ? 2u : 0u);
-    }
-    /// The parts of a BSDF that fail, if not all do.
-    std::string parts_that_fail(const std::vector<suspect>& wrong, double& share) const {
-        std::array<bool, 4> fails{};
-        for (const suspect& s : wrong) fails[part_of(s.at)] = true;
-        double places = 0, bad = 0;
-        bool others = false;
-        for (std::size_t i = 0; i < 4; ++i) {
-            others |= !fails[i] && seen[i] > 0;
-            if (fails[i]) places += static_cast<double>(seen[i]), bad += static_cast<double>(failing[i]);
-        }
-        if (!others || seen[1] + seen[2] + seen[3] == 0) return "";
-        share = bad / places;
-        const bool reflection = fails[0] || fails[1], refraction = fails[2] || fails[3],
-                   from_above = fails[0] || fails[2], from_below = fails[1] || fails[3];
-        return std::string(reflection && refraction ? ""
-                           : reflection             ? "of reflection alone"
-                                                    : "of refraction alone") +
-               (reflection && refraction   ? ""
-                : from_above && from_below ? ""
-                                           : ", ") +
-               (from_above && from_below ? ""
-                : from_above             ? "from above alone"
-                                         : "from below alone") +
-               ": ";
-    }
-
     /// From what was measured: a factor, a clamp, a floor, how much of all places is concerned.
-    std::string clue(const std::vector<ratio_at>& wrong, const std::vector<suspect>& ones, double typical) const {
-        double share = static_cast<double>(deviating) / static_cast<double>(count);
-        const std::string where = parts_that_fail(ones, share);
-        return where + clue_of_parts(wrong, ones, typical, share);
+    std::string clue(const std::vector<ratio_at>& wrong, const std::vector<suspect>& ones, double typical) {
+        for (const suspect& s : ones) of_bsdf.is_wrong(s.at);
+        return of_bsdf.text() + clue_of_parts(wrong, ones, typical);
     }
-    std::string clue_of_parts(const std::vector<ratio_at>& wrong, const std::vector<suspect>& ones, double typical,
-                              double share) const {
+    std::string clue_of_parts(const std::vector<ratio_at>& wrong, const std::vector<suspect>& ones,
+                              double typical) const {
+        const double share = of_bsdf.share();
         if (std::string power = wrong_power_of_index(wrong); !power.empty()) return power;
         if (std::string factor = wrong_factor(wrong, share); !factor.empty()) return factor;
         if (std::string epsilon = added_epsilon(wrong); !epsilon.empty()) return epsilon;
@@ -241,8 +209,8 @@ private:
     double tolerance;
     std::string otherwise;
     sides both_sides;
-    std::array<long, 4> seen{}, failing{};
-    long count = 0, deviating = 0, none = 0;
+    parts of_bsdf;
+    long count = 0, none = 0;
     place<T> none_at{};
     double none_value = 0;
     thinned<double> lowest_cosines;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <lobe/testkit/measure/numbers.hpp>
-#include <lobe/testkit/subject/sides.hpp>
+#include <lobe/testkit/measure/sides.hpp>
 #include <lobe/testkit/verdict/diagnosis.hpp>
 #include <lobe/testkit/verdict/report.hpp>
 
