@@ -31,7 +31,8 @@ MAY_INCLUDE = {
     "testkit/subject": BASE | {"testkit/measure"},
     "testkit/verdict": BASE | {"testkit/measure", "testkit/subject"},
     "testkit/properties": BASE | {"testkit/measure", "testkit/subject", "testkit/verdict"},
-    "testkit": BASE | {"testkit/measure", "testkit/subject", "testkit/verdict", "testkit/properties"},
+    "testkit/compare": BASE | {"testkit/measure", "testkit/subject", "testkit/verdict"},
+    "testkit": BASE | {"testkit/measure", "testkit/subject", "testkit/verdict", "testkit/properties", "testkit/compare"},
 }
 HEAVY = re.compile(r"\s*#\s*include\s*<(iostream|random|functional|glm/glm\.hpp)>")
 LIGHT_ROOMS = {"core", "numeric", "ndf", "fresnel", "brdf", "bsdf", "sampling", "lights"}

@@ -2,6 +2,7 @@
 // lobe.
 #pragma once
 
+#include <lobe/testkit/compare.hpp>
 #include <lobe/testkit/subject/adapters.hpp>
 #include <lobe/testkit/verify.hpp>
 #include <lobe/testkit/verify_distribution.hpp>
