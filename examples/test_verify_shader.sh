@@ -22,9 +22,9 @@ tree() { find "$here" "$work" | sort; }
 
 # ---- The three shaders: all passes, nothing passes, nothing passes.
 
-touch log/out log/errors
+touch log/{out,errors,junit.xml}
 before=$(tree)
-"$run" >log/out 2>log/errors
+"$run" --junit log/junit.xml >log/out 2>log/errors
 code=$?
 complaint=
 [[ $code == 1 ]] || complaint+=" exit code $code;"
@@ -33,6 +33,17 @@ expected="$(requests right) passed, 0 failed 0 passed, $(requests tutorial_mista
 [[ $(grep -E '^[0-9]+ passed, ' log/out | xargs) == "$expected" ]] || complaint+=" $(grep -E '^[0-9]+ passed, ' log/out | xargs);"
 [[ $(tree) == "$before" ]] || complaint+=" left something behind;"
 check "right.glsl passes; every request of tutorial_mistakes.glsl and errata.glsl fails" "$complaint"
+
+# The same as a build server reads it: a suite a request, and as many of them failed.
+counted=$(python3 - log/junit.xml <<'END'
+import sys, xml.etree.ElementTree as xml
+suites = xml.parse(sys.argv[1]).getroot().findall("testsuite")
+assert all(int(s.get("tests")) == len(s.findall("testcase")) and int(s.get("failures")) == len(s.findall("testcase/failure")) for s in suites)
+print(len(suites), sum(s.find("testcase/failure") is not None for s in suites))
+END
+)
+wrong=$(($(requests tutorial_mistakes) + $(requests errata)))
+check "junit.xml says the same" "$([[ $counted == "$(($(requests right) + wrong)) $wrong" ]] || echo " $counted")"
 
 # A failure has to be the one that fits: the start of the request's name, and a property that fails.
 report_of() { awk -v name=": $1" 'index($0, name) { on = 1 } /^$/ { on = 0 } on' log/out; }
@@ -339,6 +350,16 @@ for shader in "$here"/{right,tutorial_mistakes,errata}.glsl; do
     { cat "$shader" && echo 'void main() {}'; } >wrapped.frag
     check "glslang accepts $(basename "$shader")" "$(glslangValidator wrapped.frag >log/out || grep -m 1 ERROR log/out)"
 done
+# A folder, as a build server verifies it: its shaders that ask for something, wherever they are.
+folder=$here/../ci/verify_folder.sh
+mkdir -p shaders/deep
+echo 'void main() {}' >shaders/asks_for_nothing.frag
+"$folder" shaders log/junit.xml >log/out 2>&1
+check "a folder that asks for nothing is refused" "$([[ $? == 2 ]] || echo " $(head -n 1 log/out)")"
+printf '//! verify fresnel "Schlick": F(\n' >'shaders/deep/an error.frag'
+"$folder" shaders log/junit.xml >log/out 2>&1
+check "a folder's shaders are found, and read" "$([[ $? == 2 ]] && grep -q '^shaders/deep/an error.frag:1: ' log/out || echo " $(head -n 1 log/out)")"
+
 cp dialect.glsl dialect.frag
 check "glslang accepts the dialect" "$(glslangValidator dialect.frag >log/out || grep -m 1 ERROR log/out)"
 

@@ -1,11 +1,14 @@
 // Gives what a shader asks to verify to the test kit, and prints of each report what failed, or all of it with --all.
+// With --junit FILE it writes them there, too, as a build server reads them.
 // Exit status 1 if something failed.
 #include "subject.hpp"
 
 #include <lobe/testkit.hpp>
 
+#include <fstream>
 #include <iostream>
 #include <string_view>
+#include <vector>
 
 namespace {
 
@@ -63,16 +66,23 @@ report failures_of(const report& r) {
 }  // namespace
 
 int main(int count, char** arguments) {
-    const bool all = count > 1 && std::string_view(arguments[1]) == "--all";
+    bool all = false;
+    const char* file = nullptr;
+    for (int i = 1; i < count; ++i) {
+        all |= std::string_view(arguments[i]) == "--all";
+        if (std::string_view(arguments[i]) == "--junit" && i + 1 < count) file = arguments[++i];
+    }
     int passed = 0, failed = 0;
+    std::vector<report> reports;
     for (const subject& s : shader::requested()) {
-        const report r = verdict_on(s);
+        const report r = reports.emplace_back(verdict_on(s));
         if (all || !r)
             std::cout << (all ? r : failures_of(r)) << std::endl;
         else
             std::cout << r.name() << ": passed, " << r.checks().size() << " properties\n" << std::endl;
         ++(r ? passed : failed);
     }
+    if (file) std::ofstream(file) << junit(reports);
     std::cout << passed << " passed, " << failed << " failed\n";
     return failed ? 1 : 0;
 }

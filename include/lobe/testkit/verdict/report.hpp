@@ -60,6 +60,24 @@ inline std::string quoted(const std::string& text) {
     return out + '"';
 }
 
+/// Text inside an XML attribute or element. XML 1.0 has no form for control characters: they become spaces.
+inline std::string xml_text(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '&')
+            out += "&amp;";
+        else if (c == '<')
+            out += "&lt;";
+        else if (c == '>')
+            out += "&gt;";
+        else if (c == '"')
+            out += "&quot;";
+        else
+            out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+    }
+    return out;
+}
+
 /// JSON knows no NaN and no infinity: they are null.
 inline std::string json_number(double x) { return is_finite(x) ? number(x, 17) : "null"; }
 
@@ -105,6 +123,9 @@ public:
         return out + "]}\n";
     }
 
+    /// As JUnit writes tests, which build servers read: a suite of one test a check. Several: junit(reports).
+    std::string junit() const;
+
     /// The table that << prints.
     std::string text() const {
         const auto padded = [](std::string text, std::size_t width) {
@@ -133,5 +154,31 @@ private:
     std::string name_;
     std::vector<check> checks_;
 };
+
+/// The reports of several subjects as one file of JUnit.
+inline std::string junit(const std::vector<report>& all) {
+    using detail::number, detail::xml_text;
+    std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+    for (const report& r : all) {
+        const std::string suite = xml_text(r.name().empty() ? "lobe" : r.name());
+        out += "  <testsuite name=\"" + suite + "\" tests=\"" + std::to_string(r.checks().size()) + "\" failures=\"" +
+               std::to_string(r.findings().size()) + "\" errors=\"0\">\n";
+        for (const check& c : r.checks()) {
+            out += "    <testcase classname=\"" + suite + "\" name=\"" + xml_text(c.property) + "\"";
+            if (c.passed) {
+                out += "/>\n";
+                continue;
+            }
+            out += ">\n      <failure type=\"" + xml_text(c.id.key) + "\" message=\"" + xml_text(c.meaning) +
+                   "\">measured " + number(c.measured) + ", expected " + number(c.expected) + ", tolerance " +
+                   number(c.tolerance) + (c.input.empty() ? "" : "\nat  " + xml_text(c.input)) +
+                   "</failure>\n    </testcase>\n";
+        }
+        out += "  </testsuite>\n";
+    }
+    return out + "</testsuites>\n";
+}
+
+inline std::string report::junit() const { return testkit::junit({*this}); }
 
 }  // namespace lobe::testkit
