@@ -4,6 +4,7 @@
 #include <lobe/testkit/compare/differences.hpp>
 #include <lobe/testkit/compare/energy.hpp>
 #include <lobe/testkit/compare/places.hpp>
+#include <lobe/testkit/measure/budget.hpp>
 #include <lobe/testkit/subject/reflectance.hpp>
 #include <lobe/testkit/verdict/attempt.hpp>
 
