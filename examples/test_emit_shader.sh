@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# The files of examples/shaders are what emit_shader writes; every part and every function is GLSL that glslang takes; wrong words
-# get one line, exit code 2, and nothing is written: test_emit_shader.sh [path/to/emit_shader]
+# The files of examples/shaders are what emit_shader writes; every part and every function is GLSL that glslang takes; evaluate and
+# sample pass verify_shader as they are; wrong words get one line, exit code 2, and nothing is written: test_emit_shader.sh [path/to/emit_shader]
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 source "$root/scripts/setup.sh"
-need glslang-tools
+need glslang-tools g++ libglm-dev python3 spirv-cross
 program=${1:-$root/examples/emit_shader/run.sh}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -26,6 +26,25 @@ for fresnel in schlick_gaussian f82_tint dielectric conductor; do accepted "ggx 
 for sampler in visible_heitz2018 visible_bounded_caps all_normals; do accepted "ggx_xy $sampler" $all; done
 for model in lambert oren_nayar fon eon burley burley_frostbite metallic_roughness metallic_roughness_all_bounces; do accepted $model $all; done
 echo "ok    every part is GLSL"
+
+# The ready-made files before the judge, as they are: requests stand below them.
+judged() { # file of examples/shaders; requests from the standard input
+    { echo '#version 450'; cat "$root/examples/shaders/$1.glsl" -; } > "$work/$1.glsl"
+}
+as_brdf() { # name, prefix, parameters, what the judge is told, like ", isotropic"
+    echo "//! verify brdf \"$1\"$4: $2_evaluate(v, l, $3).f_cos"
+    echo "//!     sample: direction_sample3 s = $2_sample(v, u, $3); l = s.l; weight = s.weight; pdf = s.pdf"
+    echo "//!     pdf: $2_evaluate(v, l, $3).pdf"
+}
+{
+    as_brdf "GGX, alpha 0.3" ggx "0.3, vec3(1.0, 0.71, 0.29)" ", isotropic"
+    as_brdf "GGX, alpha 0.01" ggx "0.01, vec3(0.04)" ", isotropic"
+    as_brdf "GGX, two widths" ggx_xy "0.1, 0.4, vec3(0.5)" ""
+} | judged ggx
+as_brdf "glTF" gltf "vec3(1.0, 0.71, 0.29), 0.5, 0.2" ", isotropic" | judged metallic_roughness
+"$root/examples/verify_shader/run.sh" "$work"/{ggx,metallic_roughness}.glsl > "$work/log" || { cat "$work/log"; exit 1; } >&2
+[[ $(grep -E '^[0-9]+ passed' "$work/log" | xargs) == "3 passed, 0 failed 1 passed, 0 failed" ]] || { cat "$work/log"; exit 1; } >&2
+echo "ok    evaluate and sample pass verify_shader"
 
 refused() {  # pattern, arguments
     local pattern=$1 code=0
