@@ -14,6 +14,9 @@ mkdir "$work/shaders"
 diff -r "$work/shaders" "$root/examples/shaders" >&2 || { echo "WRONG: examples/shaders is not what emit_shader --ready-made writes" >&2; exit 1; }
 echo "ok    $(ls "$work/shaders" | wc -l) ready-made files"
 
+"$program" --functions dfg_texture --texels "$work/texels" --out "$work/texture.glsl"
+[[ $(wc -c < "$work/texels") == 8192 ]] && grep -q 'vec2 dfg_uv' "$work/texture.glsl" || { echo "WRONG: --texels" >&2; exit 1; }
+
 accepted() {  # brdf, functions
     "$program" --brdf "$1" --functions "$2" --out "$work/f.glsl"
     { echo '#version 450'; cat "$work/f.glsl"; echo 'void main() {}'; } > "$work/f.frag"
@@ -21,6 +24,7 @@ accepted() {  # brdf, functions
 }
 all=f,f_cos,pdf,evaluate,sample
 for normals in ggx ggx_xy beckmann beckmann_xy; do accepted "$normals" $all; done
+for masking in smith_correlated smith_separable; do accepted "beckmann $masking" dfg; done
 for masking in smith_separable smith_direction_correlated smith_hammon v_cavity; do accepted "ggx $masking" $all; done
 for fresnel in schlick_gaussian f82_tint dielectric conductor; do accepted "ggx $fresnel" $all,dfg; done
 for sampler in visible_heitz2018 visible_bounded_caps all_normals; do accepted "ggx_xy $sampler" $all; done
@@ -64,4 +68,7 @@ refused "does not go with 'ggx_xy'" --brdf "ggx_xy smith_hammon"
 refused "does not go with 'beckmann'" --brdf "beckmann visible_normals"
 refused "whole model" --brdf "lambert schlick"
 refused "names no part" --brdf ""
-refused "'dfg' is of" --brdf "beckmann" --functions dfg
+refused "'dfg' is of" --brdf lambert --functions dfg
+refused "not of 'ggx_xy'" --brdf ggx_xy --functions dfg_table
+refused "not of 'v_cavity'" --brdf "ggx v_cavity" --functions dfg
+refused "go together" --functions dfg_texture

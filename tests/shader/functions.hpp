@@ -26,6 +26,10 @@ struct input {
     }
 };
 
+/// The table that comes with lobe; write.cpp has it as shaders do.
+template <class T>
+struct terms_of : lobe::default_dfg {};
+
 #define SHADER_FUNCTION(name, ...)                                                                                     \
     template <class T>                                                                                                 \
     constexpr auto name(const input<T>& in) {                                                                          \

@@ -8,6 +8,15 @@
 #include <iostream>
 #include <string_view>
 
+template <>
+struct shader_tests::terms_of<lobe::shader::real> : lobe::shader::dfg<lobe::default_dfg> {
+    terms_of() : dfg(printed_once()) {}
+    static const dfg& printed_once() {
+        static const dfg once("table", lobe::default_dfg{});
+        return once;
+    }
+};
+
 namespace {
 
 using lobe::shader::real;
