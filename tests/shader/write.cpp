@@ -1,5 +1,6 @@
 // Prints the functions of functions.inc: write LANGUAGE FILE. Or each with a kernel that calls it for an array:
 // write kernels GLSL|HLSL FOLDER
+#include "derivatives.hpp"
 #include "functions.hpp"
 
 #include <lobe/shader.hpp>
@@ -8,11 +9,12 @@
 #include <iostream>
 #include <string_view>
 
+using small = std::decay_t<decltype(shader_tests::small_table())>;
 template <>
-struct shader_tests::terms_of<lobe::shader::real> : lobe::shader::dfg<lobe::default_dfg> {
+struct shader_tests::terms_of<lobe::shader::real> : lobe::shader::dfg<small> {
     terms_of() : dfg(printed_once()) {}
     static const dfg& printed_once() {
-        static const dfg once("table", lobe::default_dfg{});
+        static const dfg once("table", shader_tests::small_table());
         return once;
     }
 };
@@ -80,6 +82,11 @@ int main(int, char** arguments) {
     }
     shader::file file;
     shader_tests::for_each_function([&](const char* name, const auto& f) { file.add(recorded(name, f)); });
+    file.add(shader::function("value_and_slopes", {"v", "l", "alpha", "F0"},
+                              [](shader::vec3 v, shader::vec3 l, real alpha, real F0) {
+                                  return shader_tests::value_and_slopes(v, l, alpha, F0);
+                              })
+                 .about("f_cos of GGX, df_cos/dalpha, df_cos/dF0"));
     for (const auto& to : {shader::cpp(), shader::cuda(), shader::glsl(), shader::glsl_es(), shader::hlsl(),
                            shader::wgsl(), shader::msl()})
         if (to.name == what) return !(std::ofstream(arguments[2]) << file.print(to));
