@@ -143,6 +143,7 @@ TEST_CASE("a literal reads back to the same bits", "[shader]") {
     for (const float x : {0.1f, 1.0f / 3, 1e-38f, 3.4028235e38f, 0x1p-60f, 16777216.0f, 1.17549435e-38f, 6.2831855f}) {
         const std::string s = shader::detail::literal(x, "f");
         CHECK(std::strtof(s.c_str(), nullptr) == x);
+        CHECK(std::strtod(s.c_str(), nullptr) <= 3.4028234663852886e38);  // WGSL: not above the largest float
         CHECK(s.find_first_of(".e") != std::string::npos);
     }
     CHECK(shader::detail::literal(0.1f, "") == "0.1");

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <sstream>
 
 namespace lobe::shader {
@@ -30,7 +31,9 @@ inline std::string literal(float x, const std::string& suffix) {
     if (!std::isfinite(x)) throw std::invalid_argument("a constant that is infinite or NaN has no literal in a shader");
     char text[40];
     std::string s(text, std::to_chars(text, text + sizeof text, x).ptr);
-    if (static_cast<float>(std::strtod(s.c_str(), nullptr)) != x)  // house: bits
+    const double read =
+        std::strtod(s.c_str(), nullptr);  // WGSL refuses what is above the largest float before rounding
+    if (static_cast<float>(read) != x || std::abs(read) > std::numeric_limits<float>::max())  // house: bits
         s.assign(text, std::to_chars(text, text + sizeof text, static_cast<double>(x)).ptr);
     if (s.find_first_of(".e") == std::string::npos) s += ".0";
     return s + suffix;
