@@ -14,6 +14,10 @@ if [[ "$*" == settings ]]; then
 fi
 ((${#presets[@]})) || presets=(gcc clang)
 [[ " ${presets[*]} " != *" gcc "* ]] || (need git g++-mingw-w64-x86-64-posix) || echo "Without MinGW: <windows.h> is not tested" >&2
+if [[ " ${presets[*]} " == *" gcc "* ]]; then
+    (need chromium) || echo "Without Chromium: printed WGSL is not run" >&2
+    command -v npm >/dev/null || (need nodejs npm) || echo "Without npm: printed WGSL is not run" >&2
+fi
 [[ " ${presets[*]} " != *" sanitize "* ]] || need libclang-rt-dev
 
 cd "$root"

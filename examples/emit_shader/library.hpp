@@ -40,12 +40,15 @@ inline const std::vector<word> model_words{
     {"burley_frostbite", "Disney's diffuse, renormalised: Lagarde & de Rousiers 2014"},
     {"metallic_roughness", "glTF 2.0, appendix B; alpha = roughness^2, with the floor of your choice"},
     {"metallic_roughness_all_bounces", "glTF's material with the later bounces of light, fitted to the random walk"}};
-inline const std::vector<word> function_words{{"f", "the BRDF, 1/sr"},
-                                              {"f_cos", "f cos(theta_l)"},
-                                              {"pdf", "the density of sample, 1/sr"},
-                                              {"evaluate", "f_cos and pdf together"},
-                                              {"sample", "a light direction, its weight f_cos/pdf, its density"},
-                                              {"dfg", "split-sum terms: F0 scale + bias, to 1e-3"}};
+inline const std::vector<word> function_words{
+    {"f", "the BRDF, 1/sr"},
+    {"f_cos", "f cos(theta_l)"},
+    {"pdf", "the density of sample, 1/sr"},
+    {"evaluate", "f_cos and pdf together"},
+    {"sample", "a light direction, its weight f_cos/pdf, its density"},
+    {"dfg", "split-sum terms: F0 scale + bias, a fit to 1e-3; of other normals and masking a table"},
+    {"dfg_table", "the same read from a baked table: GGX to 4e-4"},
+    {"dfg_texture", "uv and what becomes of the texel, for that table as a texture (--texels)"}};
 
 inline std::vector<std::string> names(std::initializer_list<const std::vector<word>*> lists) {
     std::vector<std::string> all;
@@ -87,6 +90,63 @@ inline auto dfg_function(const std::string& prefix) {
                             [](real cosine, real a) { return lobe::dfg_fit_precise{}(cosine, lobe::alpha<real>(a)); })
         .about("Split-sum terms of isotropic GGX with smith_correlated: the albedo is F0 scale + F90 bias.\n"
                "Domain: cos_v in [0.001,1], alpha in [0.0009,1]. Error: 1.1e-3, rms 5e-4.");
+}
+
+/// The baked table of one width and one masking model: functions that read it, from an array or from a texture, and
+/// its texels.
+template <class Table>
+void add_table(shader::file& to, const Table& table, const std::string& name, const std::string& prefix,
+               std::vector<glm::vec2>& texels) {
+    const shader::dfg terms(prefix + "dfg", table);
+    const std::string domain = "cos_v in [0,1], alpha in (0,1]; right from cos_v = 0.001, alpha = 0.0009 on.";
+    if (name != "dfg_texture") {
+        to.add(shader::function(prefix + "dfg", {"cos_v", "alpha"},
+                                [&](real cosine, real a) { return terms(cosine, lobe::alpha<real>(a)); })
+                   .about("Split-sum terms: the albedo is F0 scale + F90 bias. Domain: " + domain +
+                          "\nError: GGX 4e-4, rms 5e-5; separable masking 6e-4; Beckmann 2.5e-3."));
+        return;
+    }
+    const std::string size = std::to_string(terms.nodes());
+    to.add(shader::function(prefix + "dfg_uv", {"cos_v", "alpha"},
+                            [&](real cosine, real a) { return terms.uv(cosine, lobe::alpha<real>(a)); })
+               .about("Where to read the texture of " + size + " x " + size +
+                      " texels, RG32F or RG16F, linearly, clamped to its edge."));
+    to.add(shader::function(
+               prefix + "dfg_of_texel", {"cos_v", "alpha", "texel"},
+               [&](real cosine, real a, vec2 texel) { return terms.of_texel(cosine, lobe::alpha<real>(a), texel); })
+               .about("Split-sum terms, given what the texture holds at " + prefix +
+                      "dfg_uv(cos_v, alpha): the albedo is F0 scale + F90 "
+                      "bias.\nDomain: " +
+                      domain));
+    texels = shader::dfg_texels_of(table);
+}
+
+template <class Masking>
+void add_table_of(shader::file& to, const std::string& normals, const Masking& masking, const std::string& name,
+                  const std::string& prefix, std::vector<glm::vec2>& texels) {
+    if (normals == "ggx")
+        add_table(to, lobe::bake_dfg<float>(masking), name, prefix, texels);
+    else if (normals == "beckmann")
+        add_table(to, lobe::bake_dfg<float>(masking, {}, [](auto a) { return lobe::beckmann{a}; }), name, prefix,
+                  texels);
+    else
+        throw mistake("a table is of 'ggx' or 'beckmann' of one width, not of '" + normals + "'");
+}
+
+/// `dfg` and its kin, of normals and masking.
+inline void add_dfg(shader::file& to, const std::string& normals, const std::string& masking, const std::string& name,
+                    const std::string& prefix, std::vector<glm::vec2>& texels) {
+    if (masking == "smith_correlated" && normals == "ggx") {
+        if (name == "dfg")
+            to.add(dfg_function(prefix));
+        else
+            add_table(to, lobe::default_dfg{}, name, prefix, texels);
+    } else if (masking == "smith_correlated")
+        add_table_of(to, normals, lobe::smith_correlated{}, name, prefix, texels);
+    else if (masking == "smith_separable")
+        add_table_of(to, normals, lobe::smith_separable{}, name, prefix, texels);
+    else
+        throw mistake("a table is of 'smith_correlated' or 'smith_separable', not of '" + masking + "'");
 }
 
 /// A whole model by its name.
@@ -181,8 +241,8 @@ void add_of_fresnel(shader::file& to, const parts& p, const std::vector<std::str
     }
 }
 
-inline void add_microfacet(shader::file& to, parts p, const std::vector<std::string>& wanted,
-                           const std::string& prefix) {
+inline void add_microfacet(shader::file& to, parts p, const std::vector<std::string>& wanted, const std::string& prefix,
+                           std::vector<glm::vec2>& texels) {
     if (p.sampler.empty()) p.sampler = p.normals.starts_with("ggx") ? "visible_normals" : "all_normals";
     if (p.fresnel == "schlick") {
         const auto f = [](const vec3& F0) { return reflectance(lobe::schlick{F0}); };
@@ -201,12 +261,7 @@ inline void add_microfacet(shader::file& to, parts p, const std::vector<std::str
         add_of_fresnel<decltype(f), vec3, vec3>(to, p, wanted, prefix, {"eta", "k"}, f);
     }
     for (const std::string& name : wanted)
-        if (name == "dfg") {
-            if (p.normals != "ggx" || p.masking != "smith_correlated")
-                throw mistake(
-                    "'dfg' is of 'ggx smith_correlated' alone: bake a table of other normals (lobe::bake_dfg)");
-            to.add(dfg_function(prefix));
-        }
+        if (name.starts_with("dfg")) add_dfg(to, p.normals, p.masking, name, prefix, texels);
 }
 
 /// The ready-made files of examples/shaders: name, what is said on top, functions.
@@ -217,6 +272,7 @@ struct ready_made {
 
 inline std::vector<ready_made> all_ready_made() {
     const std::vector<std::string> path{"evaluate", "sample"};
+    std::vector<glm::vec2> none;
     std::vector<ready_made> all;
     const auto start = [&](const std::string& name, const std::string& about) -> shader::file& {
         return all.emplace_back(ready_made{name, about, {}}).content;
@@ -225,10 +281,10 @@ inline std::vector<ready_made> all_ready_made() {
         auto& f = start(
             "ggx", std::string("ggx smith_correlated schlick: the microfacet BRDF, isotropic and anisotropic.\n") +
                        domain + "\nalpha in [1e-4,1], F0 in [0,1], linear. Error in float: 20 ULP of f_cos and pdf.");
-        add_microfacet(f, {}, {"evaluate", "sample", "dfg"}, "ggx_");
+        add_microfacet(f, {}, {"evaluate", "sample", "dfg"}, "ggx_", none);
         parts anisotropic;
         anisotropic.normals = "ggx_xy";
-        add_microfacet(f, anisotropic, path, "ggx_xy_");
+        add_microfacet(f, anisotropic, path, "ggx_xy_", none);
     }
     {
         auto& f =
@@ -282,6 +338,11 @@ inline std::vector<ready_made> all_ready_made() {
                   return lobe::smith_multiscatter{lobe::dfg_fit_precise{}}.weights(lobe::schlick{F0}, c,
                                                                                    lobe::alpha<real>(a));
               }).about("radiance: of the prefiltered environment, irradiance: of irradiance/pi."));
+    }
+    {
+        auto& f =
+            start("dfg_table", "Split-sum terms of isotropic GGX with smith_correlated, read from a table of 32 x 32.");
+        add_dfg(f, "ggx", "smith_correlated", "dfg_table", "", none);
     }
     {
         auto& f = start("antialiasing",

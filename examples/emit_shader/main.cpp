@@ -47,7 +47,7 @@ void list(std::ostream& to) {
 }
 
 std::string emitted(const std::string& language, const std::string& brdf, const std::vector<std::string>& functions,
-                    const std::string& prefix) {
+                    const std::string& prefix, std::vector<glm::vec2>& texels) {
     const auto& to = language_of(language);
     for (const std::string& f : functions)
         if (!has(emit::function_words, f)) emit::refuse("function", f, emit::names({&emit::function_words}));
@@ -78,11 +78,12 @@ std::string emitted(const std::string& language, const std::string& brdf, const 
     if (!model.empty() && count > 1) throw emit::mistake("'" + model + "' is a whole model, and takes no parts");
     lobe::shader::file file;
     if (!model.empty()) {
-        if (std::find(functions.begin(), functions.end(), "dfg") != functions.end())
-            throw emit::mistake("'dfg' is of 'ggx smith_correlated' alone");
+        for (const std::string& f : functions)
+            if (f.starts_with("dfg"))
+                throw emit::mistake("'" + f + "' is of normals and masking, not of a whole model");
         emit::add_model(file, model, functions, prefix);
     } else {
-        emit::add_microfacet(file, parts, functions, prefix);
+        emit::add_microfacet(file, parts, functions, prefix, texels);
     }
     return file.print(to, about + "\n" + emit::domain + "\nError in float, on a CPU: docs/accuracy.md of lobe.");
 }
@@ -96,7 +97,7 @@ void write(const std::filesystem::path& path, const std::string& text) {
 
 int main(int count, char** arguments) {
     CLI::App app{"Writes a BRDF of lobe's as a shader to include."};
-    std::string language = "glsl", brdf = "ggx smith_correlated schlick", prefix, out, ready;
+    std::string language = "glsl", brdf = "ggx smith_correlated schlick", prefix, out, ready, texture;
     std::vector<std::string> functions{"evaluate", "sample"};
     bool all = false;
     app.add_option("--language", language, "glsl, glsl_es, hlsl, wgsl, msl, cpp or cuda");
@@ -104,6 +105,7 @@ int main(int count, char** arguments) {
     app.add_option("--functions", functions, "what of it, with commas between")->delimiter(',');
     app.add_option("--prefix", prefix, "put before the name of each function");
     app.add_option("--out", out, "a file instead of the standard output");
+    app.add_option("--texels", texture, "where dfg_texture's numbers go: RG32F, little-endian, row by row");
     app.add_option("--ready-made", ready, "write the files of examples/shaders into this folder");
     app.add_flag("--list", all, "the words of --language, --brdf and --functions");
     try {
@@ -122,7 +124,12 @@ int main(int count, char** arguments) {
                 for (const auto& [name, to] : languages())
                     write(std::filesystem::path(ready) / (r.name + "." + to.extension), r.content.print(to, r.about));
         } else {
-            const std::string text = emitted(language, brdf, functions, prefix);
+            std::vector<glm::vec2> texels;
+            const std::string text = emitted(language, brdf, functions, prefix, texels);
+            if (texels.empty() != texture.empty())
+                throw emit::mistake("--functions dfg_texture and --texels FILE go together");
+            if (!texels.empty())
+                write(texture, {reinterpret_cast<const char*>(texels.data()), texels.size() * sizeof texels[0]});
             if (out.empty())
                 std::cout << text;
             else

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <lobe/shader/cpp.hpp>
+#include <lobe/shader/dfg.hpp>
 #include <lobe/shader/function.hpp>
 #include <lobe/shader/glsl.hpp>
 #include <lobe/shader/hlsl.hpp>

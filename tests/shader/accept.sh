@@ -54,13 +54,14 @@ fi
 # Metal's names, so that a C++ compiler can read it: the vectors of the printed C++
 {
     sed -n '/^#include <cmath>/,/^#endif/p' "$printed/printed.hpp" | grep -vE 'log1p|expm1|erfc'
+    echo '#define constant static const'
     echo 'namespace metal { using namespace shading; using float2 = shading::vec2; using float3 = shading::vec3; }'
 } >metal_stdlib
 check "MSL: $cxx with Metal's names" "$cxx" -std=c++17 -fsyntax-only -I. -x c++ "$printed/printed.metal"
 
 nvcc=$(command -v nvcc || echo /usr/local/cuda/bin/nvcc)
 if [[ -x $nvcc ]]; then
-    printf '#include "%s"\n__global__ void kernel(float* o, shading::vec3 v) { *o = shading::gltf_all_bounces(v, v, shading::vec2(0, 0), *o, *o).pdf; }\n' \
+    printf '#include "%s"\n__global__ void kernel(float* o, shading::vec3 v) { *o = shading::gltf_all_bounces(v, v, shading::vec2(0, 0), *o, *o).pdf + shading::dfg_read(v, v, shading::vec2(0, 0), *o, *o).bias; }\n' \
         "$printed/printed.cu" >all.cu
     check "CUDA: nvcc" "$nvcc" -std=c++17 -c all.cu -o cuda.o
 else

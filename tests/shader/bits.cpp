@@ -1,8 +1,11 @@
 // What is printed as C++ gives what lobe gives, to the bit.
 #include "../catch.hpp"
+#include "derivatives.hpp"
 #include "inputs.hpp"
 #include "printed.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace {
@@ -56,4 +59,31 @@ TEST_CASE("printed C++ is lobe to the bit", "[shader]") {
         [](auto... in) { return shading::name(in...); });
 #include "functions.inc"
 #undef SHADER_FUNCTION
+}
+
+TEST_CASE("a dual of what records prints derivatives", "[shader]") {
+    shader_tests::random_inputs random;
+    double worst = 0;
+    int seen = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const input<float> in = random();
+        if (in.v.z < 0.1f || in.l.z < 0.1f || in.width < 0.05f) continue;
+        const auto printed = shading::value_and_slopes(shading::vec3(in.v.x, in.v.y, in.v.z),
+                                                       shading::vec3(in.l.x, in.l.y, in.l.z), in.width, in.x);
+        const lobe::vec3<double> v(in.v), l(in.l);
+        const auto f_cos = [&](double a, double F0) {
+            return lobe::microfacet{lobe::ggx{lobe::alpha<double>(a)}, lobe::smith_correlated{}, lobe::schlick{F0}}
+                .f_cos(v, l);
+        };
+        const double a = in.width, h = 1e-6 * a;
+        const double by_alpha = (f_cos(a + h, in.x) - f_cos(a - h, in.x)) / (2 * h);
+        const double by_F0 = f_cos(a, 1) - f_cos(a, 0);  // linear in F0
+        const double size = f_cos(a, in.x) / a;          // of what cancels in the slope
+        worst = std::max({worst, std::abs(printed.y - by_alpha) / (std::abs(by_alpha) + size),
+                          std::abs(printed.z - by_F0) / by_F0, std::abs(printed.x - f_cos(a, in.x)) / f_cos(a, in.x)});
+        ++seen;
+    }
+    CAPTURE(worst);
+    CHECK(seen > 3000);
+    CHECK(worst < 2e-6);
 }

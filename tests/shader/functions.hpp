@@ -26,6 +26,21 @@ struct input {
     }
 };
 
+/// A small table, for llvmpipe compiles a large one for minutes; write.cpp has it as shaders do.
+inline const auto& small_table() {
+    static const auto once = lobe::bake_dfg<float>(lobe::smith_correlated{}, {.size = 5});
+    return once;
+}
+template <class T>
+struct terms_of {
+    template <class N, class Masking>
+    static constexpr bool describes = true;
+    lobe::dfg_terms<T> operator()(const T& cosine, const lobe::alpha<T>& a) const {
+        return small_table().parts().terms(cosine, a);
+    }
+    lobe::dfg_terms<T> average(const lobe::alpha<T>& a) const { return small_table().parts().average(a); }
+};
+
 #define SHADER_FUNCTION(name, ...)                                                                                     \
     template <class T>                                                                                                 \
     constexpr auto name(const input<T>& in) {                                                                          \

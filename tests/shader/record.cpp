@@ -4,6 +4,8 @@
 #include <lobe/lobe.hpp>
 #include <lobe/shader.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 
@@ -113,10 +115,35 @@ TEST_CASE("functions call functions, and take structs", "[shader]") {
                       "alpha_of: called with constants alone; compute that on the host");
 }
 
+TEST_CASE("a table as a texture is the table", "[shader]") {
+    const shader::dfg terms("table", lobe::default_dfg{});
+    const auto texels = shader::dfg_texels_of(lobe::default_dfg{});
+    const int n = terms.nodes();
+    REQUIRE(texels.size() == 1024);
+    double worst = 0;
+    for (float mu = 0.001f; mu < 1; mu += 0.0173f)
+        for (float a = 0.001f; a < 1; a += 0.0191f) {
+            const lobe::alpha<real> width{real(a)};
+            const shader::vec2 uv = terms.uv(real(mu), width);
+            const float x = uv.x.number() * float(n) - 0.5f, y = uv.y.number() * float(n) - 0.5f;  // as samplers do
+            const int i = std::clamp(int(x), 0, n - 2), j = std::clamp(int(y), 0, n - 2);
+            const auto at = [&](int c, int r) { return texels[std::size_t(r * n + c)]; };
+            const float s = x - float(i), t = y - float(j);
+            const glm::vec2 texel =
+                (at(i, j) * (1 - s) + at(i + 1, j) * s) * (1 - t) + (at(i, j + 1) * (1 - s) + at(i + 1, j + 1) * s) * t;
+            const auto found = terms.of_texel(real(mu), width, {real(texel.x), real(texel.y)});
+            const auto wanted = lobe::default_dfg{}(mu, lobe::alpha<float>(a));
+            worst = std::max({worst, std::abs(double(found.scale.number() - wanted.scale)),
+                              std::abs(double(found.bias.number() - wanted.bias))});
+        }
+    CHECK(worst < 1e-6);
+}
+
 TEST_CASE("a literal reads back to the same bits", "[shader]") {
     for (const float x : {0.1f, 1.0f / 3, 1e-38f, 3.4028235e38f, 0x1p-60f, 16777216.0f, 1.17549435e-38f, 6.2831855f}) {
         const std::string s = shader::detail::literal(x, "f");
         CHECK(std::strtof(s.c_str(), nullptr) == x);
+        CHECK(std::strtod(s.c_str(), nullptr) <= 3.4028234663852886e38);  // WGSL: not above the largest float
         CHECK(s.find_first_of(".e") != std::string::npos);
     }
     CHECK(shader::detail::literal(0.1f, "") == "0.1");

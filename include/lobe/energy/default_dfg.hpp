@@ -21,7 +21,7 @@ struct default_dfg {
         return parts().average(a);
     }
 
-private:
+    /// What it consists of, for other languages: lobe/shader/dfg.hpp.
     static detail::dfg_grids<float> parts() {
         return {{detail::default_dfg_missing, 32}, {detail::default_dfg_averages, 64}};
     }

@@ -84,18 +84,26 @@ constexpr T lost_on_average(const T& r) {
 
 /// What a table consists of: (E, scale), what the medium fit lacks of them; averages, (1 - E_avg)/`lost_on_average` and
 /// the bias.
-template <class N>
-struct dfg_grids {
-    node_grid<N> missing, averages;
+template <class Grid>
+struct dfg_look_up {
+    Grid missing, averages;
 
     template <scalar T>
     [[gnu::always_inline]] dfg_terms<T> terms(const T& cosine, const alpha<T>& width) const {
+        const vec2<T> at = place(cosine, width);
+        return completed(cosine, width, missing(at.x, at.y));
+    }
+    /// Where `missing` is read: column and row, in [0,1] from the first node to the last.
+    template <scalar T>
+    [[gnu::always_inline]] static vec2<T> place(const T& cosine, const alpha<T>& width) {
         using std::sqrt;
-        const T mu = smaller(larger(T(0), cosine), T(1));  // in this order, which takes a NaN to 0
-        const alpha<T> a = inside(width);
-        const T r = sqrt(a.value());
-        const dfg_terms<T> fit = dfg_fit_medium{}(mu, a);
-        const vec2<T> more = missing(dfg_axes<T>::column(mu, r), dfg_axes<T>::row(sqrt(r)));
+        const T r = sqrt(inside(width).value());
+        return {dfg_axes<T>::column(inside(cosine), r), dfg_axes<T>::row(sqrt(r))};
+    }
+    /// ... and what becomes of it.
+    template <scalar T>
+    [[gnu::always_inline]] static dfg_terms<T> completed(const T& cosine, const alpha<T>& width, const vec2<T>& more) {
+        const dfg_terms<T> fit = dfg_fit_medium{}(inside(cosine), inside(width));
         const T E = smaller(fit.albedo() + more.x, T(1)), A = smaller(larger(fit.scale + more.y, T(0)), E);
         return {A, E - A};
     }
@@ -109,10 +117,16 @@ struct dfg_grids {
 
 private:
     template <scalar T>
+    static T inside(const T& cosine) {
+        return smaller(larger(T(0), cosine), T(1));  // in this order, which takes a NaN to 0
+    }
+    template <scalar T>
     static alpha<T> inside(const alpha<T>& width) {
         return alpha<T>(smaller(larger(width.value(), T(1e-8f)), T(1)));  // house: below it the fit underflows in float
     }
 };
+template <class N>
+using dfg_grids = dfg_look_up<node_grid<N>>;
 
 }  // namespace detail
 

@@ -33,7 +33,7 @@ $call inline vec3 operator-(vec3 a) { return vec3(-a.x, -a.y, -a.z); }
             "$call inline float max(float a, float b) { return a < b ? b : a; }\n"
             "$call inline float min(float a, float b) { return b < a ? b : a; }\n";
     for (const std::string f :
-         {"abs", "sqrt", "exp", "exp2", "expm1", "log", "log2", "log1p", "sin", "cos", "tanh", "acos", "erfc"})
+         {"abs", "sqrt", "exp", "exp2", "expm1", "log", "log2", "log1p", "sin", "cos", "tanh", "acos", "erfc", "floor"})
         text += "using std::" + f + ";\n$call inline vec3 " + f + "(vec3 a) { return vec3(" + f + "(a.x), " + f +
                 "(a.y), " + f + "(a.z)); }\n";
     for (const std::string f : {"max", "min", "pow", "atan2"})
@@ -60,6 +60,9 @@ inline language cpp() {
             .choice = "$mask ? $a : $b",
             .returned = "    return {$value};\n",
             .splat = "$type($value)",
+            .pair = "{$x, $y}",
+            .table = "inline $type $name(float i) {\n    static constexpr float values[$size][2] = {$pairs};\n"
+                     "    const float* at = values[static_cast<int>(i)];\n    return $type(at[0], at[1]);\n}\n",
             .structure_end = "};\n",
             .preamble = "#pragma once\n\n#include <cmath>\n" + detail::cpp_vectors(""),
             .end = "\n}  // namespace shading\n",
@@ -75,6 +78,7 @@ inline language cuda() {
     c.name = "CUDA";
     c.extension = "cuh";
     c.function = "__host__ __device__ inline $type $name($parameters) {\n";
+    c.table = "__host__ __device__ " + c.table;
     c.preamble = "#pragma once\n\n#include <cmath>\n" + detail::cpp_vectors("__host__ __device__");
     return c;
 }

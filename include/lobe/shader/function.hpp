@@ -16,6 +16,7 @@ struct body {
     std::vector<parameter> parameters;
     type result;
     std::vector<const node*> roots;  // of the components of the result
+    std::vector<glm::vec2> values;   // of a table, which is a function of an index
     tape nodes;
 };
 
@@ -71,6 +72,12 @@ public:
     /// Lines of the comment above the printed function: what it is, its source, domain, error.
     recorded about(const std::string& text) const {
         content->about = text;
+        return *this;
+    }
+
+    /// A table: what the function of an index returns is not what was recorded, but one of these.
+    recorded reading(const std::vector<glm::vec2>& values) const {
+        content->values = values;
         return *this;
     }
 

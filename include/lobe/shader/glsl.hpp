@@ -20,6 +20,9 @@ inline language glsl() {
             .choice = "$mask ? $a : $b",
             .returned = "    return $type($value);\n",
             .splat = "$type($value)",
+            .pair = "$type($x, $y)",
+            .table =
+                "const $type $array[$size] = $type[]($pairs);\n\n$type $name(float i) { return $array[int(i)]; }\n",
             .structure_end = "};\n",
             .preamble = "",
             .end = "",

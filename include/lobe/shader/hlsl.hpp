@@ -20,6 +20,9 @@ inline language hlsl() {
             .choice = "$mask ? $a : $b",
             .returned = "    const $type returned = {$value};\n    return returned;\n",
             .splat = "((float3)($value))",
+            .pair = "$type($x, $y)",
+            .table =
+                "static const $type $array[$size] = {$pairs};\n\n$type $name(float i) { return $array[int(i)]; }\n",
             .structure_end = "};\n",
             .preamble = "",
             .end = "",

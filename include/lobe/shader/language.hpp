@@ -22,6 +22,8 @@ struct language {
     std::string choice;                             // $mask $a $b
     std::string returned;                           // $type $value, of a struct: its members' values
     std::string splat;                              // $type $value: a vector of equal components
+    std::string pair;                               // $type $x $y: an element of a table
+    std::string table;                              // $type $array $name $size $pairs
     std::string structure_end;
     std::string preamble;                           // on top of a file
     std::string end;                                // below it

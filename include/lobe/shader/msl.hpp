@@ -20,6 +20,9 @@ inline language msl() {
             .choice = "$mask ? $a : $b",
             .returned = "    return $type{$value};\n",
             .splat = "$type($value)",
+            .pair = "$type($x, $y)",
+            .table =
+                "constant $type $array[$size] = {$pairs};\n\ninline $type $name(float i) { return $array[int(i)]; }\n",
             .structure_end = "};\n",
             .preamble = "#include <metal_stdlib>\nusing namespace metal;\n",
             .end = "",

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <sstream>
 
 namespace lobe::shader {
@@ -30,7 +31,9 @@ inline std::string literal(float x, const std::string& suffix) {
     if (!std::isfinite(x)) throw std::invalid_argument("a constant that is infinite or NaN has no literal in a shader");
     char text[40];
     std::string s(text, std::to_chars(text, text + sizeof text, x).ptr);
-    if (static_cast<float>(std::strtod(s.c_str(), nullptr)) != x)  // house: bits
+    const double read =
+        std::strtod(s.c_str(), nullptr);  // WGSL refuses what is above the largest float before rounding
+    if (static_cast<float>(read) != x || std::abs(read) > std::numeric_limits<float>::max())  // house: bits
         s.assign(text, std::to_chars(text, text + sizeof text, static_cast<double>(x)).ptr);
     if (s.find_first_of(".e") == std::string::npos) s += ".0";
     return s + suffix;
@@ -68,10 +71,10 @@ inline const infix* infix_of(op what) {
 
 inline const char* name_of(op what) {
     static constexpr std::pair<op, const char*> all[] = {
-        {op::abs, "abs"},     {op::max, "max"},     {op::min, "min"}, {op::sqrt, "sqrt"}, {op::exp, "exp"},
-        {op::exp2, "exp2"},   {op::expm1, "expm1"}, {op::log, "log"}, {op::log2, "log2"}, {op::log1p, "log1p"},
-        {op::pow, "pow"},     {op::sin, "sin"},     {op::cos, "cos"}, {op::tanh, "tanh"}, {op::acos, "acos"},
-        {op::atan2, "atan2"}, {op::erfc, "erfc"}};
+        {op::abs, "abs"},     {op::max, "max"},     {op::min, "min"},    {op::sqrt, "sqrt"}, {op::exp, "exp"},
+        {op::exp2, "exp2"},   {op::expm1, "expm1"}, {op::log, "log"},    {op::log2, "log2"}, {op::log1p, "log1p"},
+        {op::pow, "pow"},     {op::sin, "sin"},     {op::cos, "cos"},    {op::tanh, "tanh"}, {op::acos, "acos"},
+        {op::atan2, "atan2"}, {op::erfc, "erfc"},   {op::floor, "floor"}};
     for (const auto& [o, name] : all)
         if (o == what) return name;
     return "";
@@ -86,6 +89,7 @@ public:
         if (free_name(function.name) != function.name)
             throw std::invalid_argument(function.name + " is a word of " + to.name +
                                         ": choose another name for the function");
+        if (!function.values.empty()) return table();
         std::string parameters;
         for (const parameter& p : function.parameters) {
             const std::string name = free_name(p.name);
@@ -106,6 +110,21 @@ public:
     }
 
 private:
+    /// A table of pairs and the function that reads it, by an index that is a whole number.
+    std::string table() const {
+        std::string pairs;
+        for (std::size_t i = 0; i < function.values.size(); ++i)
+            pairs += (i ? "," : "") + std::string(i % 4 ? " " : "\n    ") +
+                     filled(to.pair, {{"type", to.vector_2},
+                                      {"x", literal(function.values[i].x, to.suffix)},
+                                      {"y", literal(function.values[i].y, to.suffix)}});
+        return filled(to.table, {{"type", to.vector_2},
+                                 {"array", function.name + "_values"},
+                                 {"name", function.name},
+                                 {"size", std::to_string(function.values.size())},
+                                 {"pairs", pairs}});
+    }
+
     /// What the text consists of: an operation on numbers or on vectors, a part of a parameter or of a result.
     struct value {
         enum kinds { operation, dot, construct, number, part, call, component } kind;

@@ -28,7 +28,7 @@ public:
         : at(recorded->what == op::number ? nullptr : recorded), value(at ? 0.0f : value_of(recorded)) {}
 
     // clang-format off
-    explicit operator int() const = delete;  // "scalar types only": an index cannot be recorded, take a fit, a texture
+    explicit operator int() const = delete;  // "scalar types only": an index cannot be recorded, take a table, a fit
     // clang-format on
 
     constexpr bool constant() const { return !at; }
@@ -111,6 +111,9 @@ public:
     }
     friend constexpr real erfc(const real& x) {
         return of(op::erfc, x, [](float f) { return std::erfc(f); });
+    }
+    friend constexpr real floor(const real& x) {
+        return of(op::floor, x, [](float f) { return std::floor(f); });
     }
     friend real pow(const real& a, const real& b) {
         using std::pow;

@@ -42,6 +42,7 @@ enum class op : std::uint8_t {
     acos,
     atan2,
     erfc,
+    floor,
     less,
     greater,
     less_equal,

@@ -20,6 +20,9 @@ inline language wgsl() {
             .choice = "select($b, $a, $mask)",
             .returned = "    return $type($value);\n",
             .splat = "$type($value)",
+            .pair = "$type($x, $y)",
+            .table =
+                "const $array = array<$type, $size>($pairs);\n\nfn $name(i: f32) -> $type { return $array[i32(i)]; }\n",
             .structure_end = "}\n",
             .preamble = "",
             .end = "",
