@@ -1,6 +1,7 @@
 // The verdict on a BRDF: `verify(brdf)`.
 #pragma once
 
+#include <lobe/testkit/measure/rehearse.hpp>
 #include <lobe/testkit/properties/evaluate.hpp>
 #include <lobe/testkit/properties/finite.hpp>
 #include <lobe/testkit/properties/furnace.hpp>
@@ -56,11 +57,15 @@ report verdict_on(const brdf_functions<T, N>& brdf, const options& o) {
         for (auto* p : list.all) p->at_sample(one);
     };
 
-    part([&] { sweep(b, note); });
+    part([&] {
+        rehearse([&] { sweep(b, [] {}); });
+        sweep(b, note);
+    });
     part(note);
     part([&] {
         generator random(o.seed), random_of_u(o.seed, 2);
         for (int i = 0; i < b.effort.pairs; ++i) {
+            if (i % 1024 == 0) rehearse([&] { ask_pairs(b, i, i + 1024, random, random_of_u); });
             const auto [v, l] = random_pair<T>(random, i, b.scatters);
             if (!b.scatters.judged(v) || !b.scatters.judged(l)) continue;
             const pair_of_directions<T, N> pair{.v = v, .l = l, .f = b.f_cos(v, l)};

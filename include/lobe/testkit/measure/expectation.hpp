@@ -4,6 +4,7 @@
 #include <lobe/testkit/measure/budget.hpp>
 #include <lobe/testkit/measure/jumps.hpp>
 #include <lobe/testkit/measure/mesh.hpp>
+#include <lobe/testkit/measure/rehearse.hpp>
 #include <lobe/testkit/measure/second_opinion.hpp>
 
 #include <algorithm>
@@ -121,18 +122,23 @@ private:
             return e;
         };
         // By chance the third number, too: a lobe may be so thin that no line met it.
-        return {with_beyond({m->integral(), m->error()}), [m, side_by_side, with_beyond] {
-                    generator random(14);
-                    const auto anywhere = [&](double x, double y) { return side_by_side(x, y, random()); };
+        return {with_beyond({m->integral(), m->error()}), [m, side_by_side, with_beyond, numbers = this->numbers] {
+                    const auto anywhere = [&](double x, double y, generator& random) {
+                        return side_by_side(x, y, numbers == 3 ? random() : 0.5);
+                    };
                     return with_beyond(second_opinion(*m, anywhere).all);
                 }};
     }
 
     /// Corners of n^2 squares between which samples begin to fail.
     std::vector<std::array<double, 2>> border(const box<T>& a, int n) const {
+        const auto succeeds = [&](int i) { return draw(a.at((i % n + 0.5) / n, (i / n + 0.5) / n)).has_value(); };
+        rehearse([&] {
+            for (int i = 0; i < n * n; ++i) succeeds(i);
+        });
         std::vector<bool> ok;
         ok.reserve(static_cast<std::size_t>(n * n));
-        for (int i = 0; i < n * n; ++i) ok.push_back(draw(a.at((i % n + 0.5) / n, (i / n + 0.5) / n)).has_value());
+        for (int i = 0; i < n * n; ++i) ok.push_back(succeeds(i));
         std::vector<std::array<double, 2>> out;
         for (int i = 0; i < n * (n - 1); ++i) {
             const auto at = static_cast<std::size_t>(i), above = static_cast<std::size_t>(i + n);
@@ -152,13 +158,21 @@ private:
         estimate<N> out;
         std::array<double, N> squares{};
         for (int i = 0; i < rounds; ++i) {
-            std::array<double, N> sum{};
-            for (int k = 0; k < n * n * n; ++k) {
-                const double x = (k % n + random()) / n, y = (k / n % n + random()) / n,
-                             z = (k / (n * n) + random()) / n;
-                const std::array<double, N> one = value({below_one<T>(x), below_one<T>(y), below_one<T>(z)});
-                for (std::size_t c = 0; c < N; ++c) sum[c] += one[c] / (n * n * n);
-            }
+            const auto mean = [&](generator& drawn) {
+                std::array<double, N> sum{};
+                for (int k = 0; k < n * n * n; ++k) {
+                    const double x = (k % n + drawn()) / n, y = (k / n % n + drawn()) / n,
+                                 z = (k / (n * n) + drawn()) / n;
+                    const std::array<double, N> one = value({below_one<T>(x), below_one<T>(y), below_one<T>(z)});
+                    for (std::size_t c = 0; c < N; ++c) sum[c] += one[c] / (n * n * n);
+                }
+                return sum;
+            };
+            rehearse([&] {
+                generator copy = random;
+                mean(copy);
+            });
+            const std::array<double, N> sum = mean(random);
             for (std::size_t c = 0; c < N; ++c) out.value[c] += sum[c] / rounds, squares[c] += sum[c] * sum[c] / rounds;
         }
         for (std::size_t c = 0; c < N; ++c)

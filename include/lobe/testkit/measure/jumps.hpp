@@ -3,6 +3,7 @@
 #pragma once
 
 #include <lobe/testkit/measure/random.hpp>
+#include <lobe/testkit/measure/rehearse.hpp>
 
 #include <lobe/core/vector.hpp>
 
@@ -76,6 +77,9 @@ private:
     };
     scan scanned(int axis, const line& l, std::vector<T> x) const {
         scan out{std::move(x), {}};
+        rehearse([&] {
+            for (const T one : out.x) on(axis, l, one);
+        });
         for (const T one : out.x) out.o.push_back(on(axis, l, one));
         return out;
     }
@@ -123,6 +127,7 @@ private:
     std::optional<T> halved(int axis, const line& l, T low, outcome at_low, T high, outcome at_high) const {
         const double before = distance(at_low, at_high);
         for (int i = 0; i < 60; ++i) {
+            if (i % 5 == 0) rehearse([&] { ask_halves(axis, l, low, high, 5); });
             const T middle = low + (high - low) / 2;
             if (!(middle > low && middle < high)) break;
             const outcome here = on(axis, l, middle);
@@ -135,10 +140,22 @@ private:
         return high;
     }
 
+    /// All places at which some halvings of an interval may ask.
+    void ask_halves(int axis, const line& l, T low, T high, int halvings) const {
+        const T middle = low + (high - low) / 2;
+        if (!halvings || !(middle > low && middle < high)) return;
+        on(axis, l, middle);
+        ask_halves(axis, l, low, middle, halvings - 1);
+        ask_halves(axis, l, middle, high, halvings - 1);
+    }
+
     /// Further apart across x than on either side of it.
     bool is_jump(int axis, const line& l, T x) const {
         const T d = (std::max)(4 * step(x), static_cast<T>(1e-7) * (std::min)(x, T(1) - x));
         if (!(x - 3 * d > T(0)) || !(x + 3 * d < T(1))) return true;
+        rehearse([&] {
+            for (const T at_x : {x - 3 * d, x - d, x + d, x + 3 * d}) on(axis, l, at_x);
+        });
         const outcome a = on(axis, l, x - 3 * d), b = on(axis, l, x - d), c = on(axis, l, x + d),
                       e = on(axis, l, x + 3 * d);
         return distance(b, c) > 4 * (std::max)(distance(a, b), distance(c, e)) + least;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <lobe/core/cpp20.hpp>
+#include <lobe/testkit/measure/genz_malik.hpp>
+#include <lobe/testkit/measure/rehearse.hpp>
 
 #include <algorithm>
 #include <array>
@@ -13,30 +15,21 @@
 
 namespace lobe::testkit {
 
-/// The unit square, cut into cells by the degree-7 rule of Genz & Malik 1980, "An adaptive algorithm for numerical
-/// integration over an N-dimensional rectangular region": 17 points a cell, its embedded degree-5 rule for the error,
-/// the fourth differences for the next cut. Integrates N functions; the first `driving` of them decide where to cut.
+/// The unit square, cut into cells. Integrates N functions by genz_malik; the first `driving` of them decide where to
+/// cut.
 template <std::size_t N>
 class mesh {
 public:
     using values = std::array<double, N>;
     using integrand = std::function<values(double x, double y)>;
 
-    struct cell {
-        double x0, y0, width, height;
-        values integral{}, error{};
-        bool cut_x = false;
-        int child = -1;  // the first of two, or none
-        bool leaf() const { return child < 0; }
-    };
+    using cell = mesh_cell<N>;
 
     mesh(integrand of, int columns, int rows, std::size_t how_many_drive)
         : f(std::move(of)), nx(columns), ny(rows), driving(how_many_drive) {
         for (int j = 0; j < ny; ++j)
-            for (int i = 0; i < nx; ++i) {
-                cells_.push_back({double(i) / nx, double(j) / ny, 1.0 / nx, 1.0 / ny});
-                apply_rule(cells_.back());
-            }
+            for (int i = 0; i < nx; ++i) cells_.push_back({double(i) / nx, double(j) / ny, 1.0 / nx, 1.0 / ny});
+        apply_rules();
     }
 
     /// Cuts the cells around (x, y) until they are 2^-halvings of the first ones: for a peak that is known to be
@@ -50,6 +43,7 @@ public:
             const bool large = c.width > 1.5 * width || c.height > 1.5 * height;
             if (c.leaf() && beside && large) cut(at, c.width * nx >= c.height * ny);
         }
+        apply_rules();
     }
 
     /// Cuts every cell that holds more than `limit` of the points: for peaks that a sampler knows of.
@@ -64,6 +58,7 @@ public:
                     done = false;
                 }
             if (done) return;
+            apply_rules();
         }
     }
 
@@ -79,7 +74,7 @@ public:
             for (std::size_t k = 0; k < driving; ++k)
                 scale[k] = (std::max)(k < colours ? brightest : std::abs(total_[k]), 1e-9);
             const auto open = [&](std::size_t k) { return error_[k] > tolerance * scale[k]; };
-            bool done = evaluations_ >= max_evaluations;
+            bool done = evaluations() >= max_evaluations;
             if (!done) {
                 done = true;
                 for (std::size_t k = 0; k < driving; ++k) done = done && !open(k);
@@ -100,10 +95,11 @@ public:
             std::sort(by_error.begin(), by_error.end(), std::greater<>());
             double marked = 0;
             for (const auto& [e, at] : by_error) {
-                if (marked >= all / 2 || evaluations_ >= max_evaluations) break;
+                if (marked >= all / 2 || evaluations() >= max_evaluations) break;
                 cut(at, cells_[at].cut_x);
                 marked += e;
             }
+            apply_rules();
         }
     }
 
@@ -130,6 +126,7 @@ public:
         }
         for (const auto& [at, across_x] : too_large)
             if (cells_[at].leaf()) cut(at, across_x);
+        apply_rules();
         return !too_large.empty();
     }
 
@@ -138,7 +135,7 @@ public:
     /// By the two rules of different degree: usually far too large, but nothing where the integrand jumps between the
     /// points.
     const values& error() const { return error_; }
-    long evaluations() const { return evaluations_; }
+    long evaluations() const { return 17 * static_cast<long>(cells_.size()); }
     const std::vector<cell>& cells() const { return cells_; }
 
     /// The leaf that holds the point.
@@ -191,59 +188,23 @@ private:
                  across_x ? whole.height : whole.height / 2};
         cell high = low;
         (across_x ? high.x0 : high.y0) += across_x ? low.width : low.height;
-        for (cell* half : {&low, &high}) {
-            apply_rule(*half);
-            cells_.push_back(*half);
-        }
+        cells_.push_back(low), cells_.push_back(high);
     }
 
-    void apply_rule(cell& c) {
-        const double x = c.x0 + c.width / 2, y = c.y0 + c.height / 2, hx = c.width / 2, hy = c.height / 2;
-        const double inner = std::sqrt(9.0 / 70), outer = std::sqrt(9.0 / 10), corner = std::sqrt(9.0 / 19);
-        evaluations_ += 17;
-        values middle = f(x, y), along_inner{}, along_outer{}, diagonal_outer{}, diagonal_corner{}, fourth_x{},
-               fourth_y{};
-        const auto accumulate = [&](values& sum, double dx, double dy) {
-            const values v = f(x + dx * hx, y + dy * hy);
-            for (std::size_t k = 0; k < N; ++k) sum[k] += v[k];
-        };
-        for (const bool is_x : {true, false}) {
-            values close{}, wide{};
-            for (const double sign : {-1.0, 1.0}) {
-                accumulate(close, is_x ? sign * inner : 0, is_x ? 0 : sign * inner);
-                accumulate(wide, is_x ? sign * outer : 0, is_x ? 0 : sign * outer);
-            }
-            for (std::size_t k = 0; k < N; ++k) {
-                (is_x ? fourth_x : fourth_y)[k] =
-                    std::abs(close[k] - 2 * middle[k] - (inner * inner) / (outer * outer) * (wide[k] - 2 * middle[k]));
-                along_inner[k] += close[k];
-                along_outer[k] += wide[k];
-            }
-        }
-        for (const double sx : {-1.0, 1.0})
-            for (const double sy : {-1.0, 1.0}) {
-                accumulate(diagonal_outer, sx * outer, sy * outer);
-                accumulate(diagonal_corner, sx * corner, sy * corner);
-            }
-        const double area = c.width * c.height;
-        double dx = 0, dy = 0, size = 1e-300;
-        for (std::size_t k = 0; k < N; ++k) {
-            const double m = middle[k], i = along_inner[k], o = along_outer[k], d = diagonal_outer[k];
-            c.integral[k] = area * (-3816.0 / 19683 * m + 980.0 / 6561 * i + 1020.0 / 19683 * o + 200.0 / 19683 * d +
-                                    6859.0 / 19683 / 4 * diagonal_corner[k]);
-            const double degree_5 = area * (-971.0 / 729 * m + 245.0 / 486 * i + 65.0 / 1458 * o + 25.0 / 729 * d);
-            c.error[k] = std::abs(c.integral[k] - degree_5);
-            if (k < driving && c.error[k] > size) size = c.error[k], dx = fourth_x[k], dy = fourth_y[k];
-        }
-        // else the longer side of the cell, in units of the first grid
-        c.cut_x = dx > dy || (!(dx < dy) && c.width * nx >= c.height * ny);
+    /// To the cells that are new.
+    void apply_rules() {
+        detail::rehearse([&] {
+            for (cell c : std::vector<cell>(cells_.begin() + static_cast<std::ptrdiff_t>(ready), cells_.end()))
+                genz_malik(c, f, driving, nx, ny);
+        });
+        for (; ready < cells_.size(); ++ready) genz_malik(cells_[ready], f, driving, nx, ny);
     }
 
     integrand f;
     int nx, ny;
     std::size_t driving;
-    long evaluations_ = 0;
     std::vector<cell> cells_;
+    std::size_t ready = 0;
     values total_{}, error_{};
 };
 

@@ -4,6 +4,7 @@
 #include <lobe/testkit/measure/mesh.hpp>
 #include <lobe/testkit/measure/numbers.hpp>
 #include <lobe/testkit/measure/random.hpp>
+#include <lobe/testkit/measure/rehearse.hpp>
 #include <lobe/testkit/measure/text.hpp>
 
 #include <algorithm>
@@ -23,6 +24,7 @@ using of_directions = std::function<double(const vec3<T>& v, const vec3<T>& l)>;
 /// function, or in its inputs, does to it there.
 template <class T>
 double rounding_noise(const of_directions<T>& value, const place<T>& at, int steps = 32) {
+    rehearse([&] { rounding_noise<T>(value, at, steps); });
     generator random(7);
     const double exact = value(at.v, at.l);
     double noise = 0;
@@ -54,6 +56,12 @@ double relative_rounding(const mesh<N>& m, const Chart& chart, const vec3<T>& v,
     const auto size = [&](std::size_t at) { return std::abs(m.cells()[at].integral[0]); };
     std::partial_sort(leaves.begin(), leaves.begin() + static_cast<std::ptrdiff_t>(kept), leaves.end(),
                       [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
+    rehearse([&] {
+        for (std::size_t i = 0; i < kept; ++i) {
+            const auto& c = m.cells()[leaves[i]];
+            rounding_noise<T>(value, {.v = v, .l = vec3<T>(chart(c.x0 + c.width / 2, c.y0 + c.height / 2).l)}, 8);
+        }
+    });
     double noise = 0, all = 0;
     for (std::size_t i = 0; i < kept; ++i) {
         const auto& c = m.cells()[leaves[i]];

@@ -4,6 +4,7 @@
 
 #include <lobe/testkit/measure/mesh.hpp>
 #include <lobe/testkit/measure/random.hpp>
+#include <lobe/testkit/measure/rehearse.hpp>
 
 #include <algorithm>
 #include <array>
@@ -48,7 +49,7 @@ private:
 
 /// The integrals of a mesh and of each of its leaves, by pairs of random points in every leaf, or part of one, opposite
 /// each other about the centre: what is linear cancels. No bias, however the integrand jumps; the error is what the
-/// rounds say of each other. `f` may be random itself, where it takes more numbers than two.
+/// rounds say of each other. `f` may draw further numbers.
 template <std::size_t N>
 struct opinion {
     estimate<N> all;
@@ -63,24 +64,34 @@ opinion<N> second_opinion(const mesh<N>& m, const Integrand& f) {
     std::array<rounds_of, N> total;
     std::array<double, N> largest{};  // contribution of one pair
     std::vector<rounds_of> of_leaf(leaves.size());
-    for (int round = 0; round < opinion_rounds; ++round) {
-        std::array<double, N> sum{};
+    /// One round: add(leaf, values at a, values at b, half the area they stand for).
+    const auto in_pairs = [&](generator& drawn, const auto& add) {
         for (std::size_t i = 0; i < leaves.size(); ++i) {
             const auto& c = m.cells()[leaves[i]];
-            const double width = c.width / parts, height = c.height / parts, half = width * height / 2;
-            double first = 0;
+            const double width = c.width / parts, height = c.height / parts;
             for (int part = 0; part < parts * parts; ++part) {
-                const double x0 = c.x0 + part % parts * width, y0 = c.y0 + part / parts * height, x = random(),
-                             y = random();
-                const auto a = f(x0 + x * width, y0 + y * height), b = f(x0 + (1 - x) * width, y0 + (1 - y) * height);
-                for (std::size_t k = 0; k < N; ++k) {
-                    sum[k] += half * (a[k] + b[k]);
-                    largest[k] = (std::max)(largest[k], half * (std::abs(a[k]) + std::abs(b[k])));
-                }
-                first += half * (a[0] + b[0]);
+                const double x0 = c.x0 + part % parts * width, y0 = c.y0 + part / parts * height, x = drawn(),
+                             y = drawn();
+                const auto a = f(x0 + x * width, y0 + y * height, drawn);
+                add(i, a, f(x0 + (1 - x) * width, y0 + (1 - y) * height, drawn), width * height / 2);
             }
-            of_leaf[i].add(first);
         }
+    };
+    for (int round = 0; round < opinion_rounds; ++round) {
+        rehearse([&] {
+            generator copy = random;
+            in_pairs(copy, [](auto&&...) {});
+        });
+        std::array<double, N> sum{};
+        std::vector<double> first(leaves.size());
+        in_pairs(random, [&](std::size_t i, const auto& a, const auto& b, double half) {
+            for (std::size_t k = 0; k < N; ++k) {
+                sum[k] += half * (a[k] + b[k]);
+                largest[k] = (std::max)(largest[k], half * (std::abs(a[k]) + std::abs(b[k])));
+            }
+            first[i] += half * (a[0] + b[0]);
+        });
+        for (std::size_t i = 0; i < leaves.size(); ++i) of_leaf[i].add(first[i]);
         for (std::size_t k = 0; k < N; ++k) total[k].add(sum[k]);
     }
     opinion<N> out;
@@ -94,7 +105,7 @@ opinion<N> second_opinion(const mesh<N>& m, const Integrand& f) {
 }
 template <std::size_t N>
 opinion<N> second_opinion(const mesh<N>& m) {
-    return second_opinion(m, [&m](double x, double y) { return m.at(x, y); });
+    return second_opinion(m, [&m](double x, double y, generator&) { return m.at(x, y); });
 }
 
 /// Integrals by a rule, and by chance when somebody doubts them.

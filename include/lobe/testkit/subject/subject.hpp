@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lobe/testkit/measure/budget.hpp>
+#include <lobe/testkit/measure/rehearse.hpp>
 #include <lobe/testkit/options.hpp>
 #include <lobe/testkit/subject/brdf.hpp>
 #include <lobe/testkit/subject/watch.hpp>
@@ -32,6 +33,7 @@ public:
     bool most_samples_are_lost() const { return lost_samples > 4 * good_samples; }
 
     values f_cos(const V& v, const V& l) {
+        if (rehearsing()) return raw.f_cos(v, l);
         last = {.v = v, .l = l, .both_sides = scatters.both};
         values out = raw.f_cos(v, l);
         const bool vanish = !scatters.both && (l.z < 0 && v.z > 0 ? true : claims.zero_below && v.z < 0);
@@ -44,6 +46,7 @@ public:
     }
 
     double pdf(const V& v, const V& l) {
+        if (rehearsing()) return raw.pdf(v, l);
         last = {.v = v, .l = l, .both_sides = scatters.both};
         ++of_pdf.calls;
         return of_pdf.see(raw.pdf(v, l), last, false, raw.pdf);
@@ -52,6 +55,10 @@ public:
     drawn<T, N> sample(const V& v, const V& u) {
         last = {.v = v, .u = u, .has_l = false, .both_sides = scatters.both, .numbers = raw.numbers};
         drawn<T, N> s = raw.sample(v, u);
+        if (rehearsing()) {
+            s.ok = s.pdf > 0 && scatters.judged(s.l);
+            return s;
+        }
         ++of_sample.calls;
         s.pdf = of_sample.see(s.pdf, last, false);
         bool carries_light = false;

@@ -96,6 +96,10 @@ public:
         const auto relative_noise = [&](const suspect& s) {
             return noise(s.at, s.channel) / (std::max)(std::abs(s.measured), std::abs(s.expected));
         };
+        rehearse([&] {
+            for (const std::vector<suspect>* some : {&looked_at, &largest})
+                for (const suspect& s : *some) relative_noise(s);
+        });
         for (const suspect& s : looked_at) noises.push_back(relative_noise(s));
         // At one place a function may round alike whatever is done to it: the noise is at least what three of four
         // places have.

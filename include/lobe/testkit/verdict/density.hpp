@@ -123,13 +123,17 @@ public:
 private:
     /// n^2 samples, one at random in each of the n^2 squares; those that succeed.
     static std::vector<vec3<double>> draw_strata(const expectation<T>& over_u, int n, std::uint64_t seed) {
-        generator random(seed);
-        std::vector<vec3<double>> out;
-        for (int j = 0; j < n; ++j)
-            for (int i = 0; i < n; ++i)
-                if (const auto l = over_u.draw(random_u<T>(random, over_u.numbers, i, j, n)))
-                    out.push_back(vec3<double>(*l));
-        return out;
+        const auto drawn = [&] {
+            generator random(seed);
+            std::vector<vec3<double>> out;
+            for (int j = 0; j < n; ++j)
+                for (int i = 0; i < n; ++i)
+                    if (const auto l = over_u.draw(random_u<T>(random, over_u.numbers, i, j, n)))
+                        out.push_back(vec3<double>(*l));
+            return out;
+        };
+        rehearse(drawn);
+        return drawn();
     }
 
     /// Fine bins see a narrow fault, coarse ones a faint and wide one.

@@ -82,6 +82,22 @@ std::pair<vec3<T>, vec3<T>> random_pair(generator& random, int i, const sides& o
     return placed(v, unit<T>(2 * dot(w, m) * m - w));
 }
 
+/// What the properties will ask for of such pairs, and of samples seen from their v.
+template <class T, std::size_t N>
+void ask_pairs(subject<T, N>& b, int first, int end, generator random, generator random_of_u) {
+    for (int i = first; i < end; ++i) {
+        const auto [v, l] = random_pair<T>(random, i, b.scatters);
+        if (!b.scatters.judged(v) || !b.scatters.judged(l)) continue;
+        b.f_cos(v, l);
+        if (b.claims.reciprocal) b.f_cos(l, v);
+        if (!b.has_sample()) continue;
+        const auto s = b.sample(v, random_u<T>(random_of_u, b.raw.numbers));
+        if (!s.ok) continue;
+        b.f_cos(v, s.l);
+        if (b.has_pdf()) b.pdf(v, s.l);
+    }
+}
+
 /// From the normal to cos = 0.01, moved by the seed within their gaps, and, unless the subject is isotropic, along both
 /// axes; of a BSDF, from both sides.
 template <class T, std::size_t N>

@@ -58,8 +58,17 @@ public:
     template <class Look>
     void draw(const Look& look) {
         if (!b.has_sample()) return;
-        generator random(seed);
         const int n = b.effort.strata, stride = (std::max)(1, n * n / 512);
+        rehearse([&] {
+            generator random(seed);
+            for (int i = 0; i < n * n; ++i) {
+                const auto s = b.sample(v, random_u<T>(random, b.raw.numbers, i % n, i / n, n));
+                if (!s.ok) continue;
+                b.f_cos(v, s.l);
+                if (b.has_pdf()) b.pdf(v, s.l);
+            }
+        });
+        generator random(seed);
         for (int i = 0; i < n * n; ++i) {
             const V u = random_u<T>(random, b.raw.numbers, i % n, i / n, n);
             const auto s = b.sample(v, u);
