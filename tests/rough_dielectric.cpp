@@ -182,7 +182,7 @@ TEST_CASE("a sample's pdf and weight are those of its direction", "[glass]") {
     }
 }
 
-TEST_CASE("the reflection of an interface is that of microfacet: from above to the bit", "[glass]") {
+TEST_CASE("the reflection of an interface is that of microfacet: from above evaluate's to the bit", "[glass]") {
     random_numbers random(3);
     const auto compare = [&](const auto& ndf, const auto& interface_mask, const auto& mask, float eta) {
         const rough_dielectric glass{ndf, interface_mask, eta};
@@ -192,8 +192,10 @@ TEST_CASE("the reflection of an interface is that of microfacet: from above to t
         for (int i = 0; i < 20000; ++i) {
             const auto v = random.grazing_direction<float>(1e-3), l = random.grazing_direction<float>(1e-3);
             const auto a = glass.evaluate(v, l), b = from_above.evaluate(v, l);
-            REQUIRE(a.f_cos == from_above.f_cos(v, l));
-            REQUIRE(glass.f(v, l) == from_above.f(v, l));
+            REQUIRE(a.f_cos == b.f_cos);
+            // `f` alone takes a denominator of other roundings
+            const float f = from_above.f(v, l);
+            REQUIRE(std::abs(glass.f(v, l) - f) <= 8 * eps<float> * f + 1e-37F);
             // from below, F near its critical angle rounds as its root does
             const vec3<float> vd{v.x, v.y, -v.z}, ld{l.x, l.y, -l.z};
             const float c = lobe::length(v + l) / 2, g2 = std::abs(1 / (eta * eta) - 1 + c * c);

@@ -69,7 +69,7 @@ template <class B, class Sampler>
 double jacobian_error(const B& brdf, const Sampler& sampler, const situation& s, std::uint64_t seed) {
     const ggx ndf{alpha_xy{s.ax, s.ay}};
     const vec3<double> v = at(s.mu);
-    const auto light = [&](const vec2<double>& u) { return lobe::reflect(v, sampler.sample(ndf, v, u)); };
+    const auto light = [&](const vec2<double>& u) { return lobe::reflect(v, lobe::normalize(sampler.sample(ndf, v, u))); };
     random_numbers random(seed);
     double worst = 0;
     int tried = 0;
@@ -259,7 +259,7 @@ TEST_CASE("samplers in float: angles at the smallest alpha, unit normals at the 
                 for (float x : {0.0f, 1e-30f, 1e-7f, 0.5f, last})
                     for (float y : {0.0f, 0.25f, 0.3f, 0.5f, 0.75f, last}) {
                         const ggx ndf{alpha{a}};
-                        const vec3<float> m = sampler.sample(ndf, v, vec2<float>{x, y});
+                        const vec3<float> m = lobe::normalize(sampler.sample(ndf, v, vec2<float>{x, y}));
                         const microfacet brdf{ndf, lobe::smith_correlated{}, lobe::perfect_reflector{}, sampler};
                         const auto s = brdf.sample(v, {x, y});
                         unit = larger(unit, std::abs(static_cast<double>(lobe::length(m)) - 1));

@@ -18,10 +18,10 @@ constexpr vec3<T> stretched_view(const vec2<T>& width, const vec3<T>& v) {
     return normalize(vec3<T>{width.x * v.x, width.y * v.y, v.z});
 }
 
-/// The normal of the stretched surface that (x, y, z), of any length, was on that of width 1.
+/// The normal of the stretched surface that (x, y, z) was on that of width 1; both of any length.
 template <scalar T>
 constexpr vec3<T> stretched_normal(const vec2<T>& width, const T& x, const T& y, const T& z) {
-    return normalize(vec3<T>{width.x * x, width.y * y, z});
+    return {width.x * x, width.y * y, z};
 }
 
 /// 1 - k of the bounded caps: k = (1 - a^2) s^2/(s^2 + a^2 v.z^2), a = min(ax, ay, 1), s = 1 + sin(theta_v).

@@ -18,13 +18,13 @@ struct masking_functions {
     /// V = G2 / (4 cos(theta_v) cos(theta_l)): finite at grazing angles; v and l above the horizon.
     template <distribution N, class T = typename N::scalar>
     constexpr T visibility(const N& ndf, const vec3<T>& v, const vec3<T>& l) const {
-        return T(1) / (T(4) * denominator(ndf, v, l));
+        return T(1) / (T(4) * model().denominator(ndf, v, l));
     }
 
     /// The fraction of the microsurface facing both v and l that both see.
     template <distribution N, class T = typename N::scalar>
     constexpr T G2(const N& ndf, const vec3<T>& v, const vec3<T>& l) const {
-        return v.z * l.z / denominator(ndf, v, l);
+        return v.z * l.z / model().denominator(ndf, v, l);
     }
 
     /// ... that v sees: cos(theta_v) / projected_area(v) = 1/(1 + Lambda(v)).
@@ -50,10 +50,17 @@ struct smith_separable : masking_functions<smith_separable> {
 
 /// Masking and shadowing correlated through the height: G2 = 1/(1 + Lambda(v) + Lambda(l)). Ross, Dion, Potvin 2005;
 /// Heitz 2014, eq. 99. The consistent default: it is what the random walk's first bounce does.
-/// den = sv cos_l + sl cos_v - cos_v cos_l, grouped so that it rounds least.
+/// den = sv cos_l + sl cos_v - cos_v cos_l, grouped so that it rounds least: with the area S of both sides
+/// (`projected_area_both`) it is (Sv cos_l + Sl cos_v)/2.
 /// Error of V: 6 ULP.
 struct smith_correlated : masking_functions<smith_correlated> {
-    using masking_functions::denominator;
+    template <distribution N, class T = typename N::scalar>
+    constexpr T denominator(const N& ndf, const vec3<T>& v, const vec3<T>& l) const {
+        if constexpr (requires { ndf.projected_area_both(v); })
+            return (ndf.projected_area_both(v) * l.z + ndf.projected_area_both(l) * v.z) / T(2);
+        else
+            return masking_functions::denominator(ndf, v, l);
+    }
     template <distribution N, class T = typename N::scalar>
     constexpr T denominator(const N& ndf, const vec3<T>& v, const vec3<T>& l, const T& sv) const {
         return sv * l.z + (detail::area_above(ndf, l) - l.z) * v.z;

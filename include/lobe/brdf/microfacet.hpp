@@ -118,12 +118,14 @@ public:
     /// the smallest number of T.
     [[gnu::always_inline]] constexpr direction_sample<S, T>
     sample(const vec3<T>& v, const vec2<T>& u) const requires normal_sampler<Sampler, N> {
+        using std::sqrt;
         const vec3<T> w = upward(v);  // from straight below no normal is visible
-        const vec3<T> m = sampler.sample(ndf, w, u);
-        const vec3<T> l = reflect(w, m);
+        const vec3<T> n = sampler.sample(ndf, w, u);  // |n| m
+        const T v_n = dot(w, n), k = T(2) * v_n / larger(dot(n, n), detail::smallest<T>());
+        const vec3<T> l{k * n.x - w.x, k * n.y - w.y, k * n.z - w.z};  // 2 (v.m) m - v
         const auto above = above_horizon(v, l);
-        const T v_m = dot(w, m), sv = detail::area_above(ndf, w);
-        const T area = sampler.area(ndf, w, v_m, m.z, sv), density = ndf.D(upward(m)) / (T(4) * area);
+        const T v_m = sqrt(v_n * k / T(2)), sv = detail::area_above(ndf, w);
+        const T area = sampler.area(ndf, w, v_n, n.z, sv), density = ndf.D(upward(n)) / (T(4) * area);
         const auto valid = above && density > T(0);  // a Gaussian tail may underflow
         return {select(valid, l, vec3<T>{T(0), T(0), T(1)}),
                 fresnel_(select(valid, smaller(v_m, T(1)), T(1))) *

@@ -7,9 +7,10 @@
 namespace lobe {
 
 /// A sampler for the distribution N is two functions:
-/// - `sample(ndf, v, u)`: a unit normal m, seen from v or not;
+/// - `sample(ndf, v, u)`: a positive multiple of a normal m, seen from v or not;
 /// - `area(ndf, v, v_m, m_z, sv)`: how dense the directions reflected by these m are. Their pdf is D(m) / (4 area)
-///   in 1/sr, their weight F cos(theta_l) area / den. (v_m = v.m, m_z = cos(theta_m), sv = projected_area(v).)
+///   in 1/sr, their weight F cos(theta_l) area / den. (v_m = v.m and m_z = cos(theta_m), both times one positive
+///   factor; sv = projected_area(v).)
 template <class S, class N>
 concept normal_sampler = distribution<N> && requires(const S sampler, const N ndf, const vec3<typename N::scalar> w,
                                                      const vec2<typename N::scalar> u, const typename N::scalar x) {
@@ -22,7 +23,10 @@ concept normal_sampler = distribution<N> && requires(const S sampler, const N nd
 struct visible_normals {
     template <visibly_samplable_distribution N, class T = typename N::scalar>
     [[gnu::always_inline]] constexpr vec3<T> sample(const N& ndf, const vec3<T>& v, const vec2<T>& u) const {
-        return ndf.sample_visible(v, u);
+        if constexpr (requires { ndf.sample_visible_multiple(v, u); })
+            return ndf.sample_visible_multiple(v, u);
+        else
+            return ndf.sample_visible(v, u);
     }
     template <distribution N, class T = typename N::scalar>
     constexpr T area(const N&, const vec3<T>&, const T&, const T&, const T& sv) const {
@@ -34,7 +38,10 @@ struct visible_normals {
 struct all_normals {
     template <samplable_distribution N, class T = typename N::scalar>
     [[gnu::always_inline]] constexpr vec3<T> sample(const N& ndf, const vec3<T>&, const vec2<T>& u) const {
-        return ndf.sample(u);
+        if constexpr (requires { ndf.sample_multiple(u); })
+            return ndf.sample_multiple(u);
+        else
+            return ndf.sample(u);
     }
     template <distribution N, class T = typename N::scalar>
     constexpr T area(const N&, const vec3<T>&, const T& v_m, const T& m_z, const T&) const {

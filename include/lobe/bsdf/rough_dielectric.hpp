@@ -15,7 +15,7 @@ namespace lobe {
 /// (eq. 21), n = eta_l/eta_v, F of Fresnel's equations. `eta`: index below the surface over index above.
 /// v, l unit, anywhere on the sphere; 0 where either is on the horizon (`horizon`). Any distribution; samples want its
 /// visible normals. Masking: `smith_joint`, `smith_joint_exact`, `smith_product`. The reflection is to rounding
-/// `microfacet{ndf, masking, dielectric{eta}}`, from above to the bit.
+/// `microfacet{ndf, masking, dielectric{eta}}`, from above `evaluate` to the bit, `f` and `f_cos` to rounding.
 ///
 /// With d = v + l, h = d + (n - 1) l, K = (sign of n - 1) |h| and Q = |d|^2/2, the half vector is m = -h/K,
 ///   v.m = (n - 1 - n Q)/K,  g = -n l.m = n (n - 1 + Q)/K:

@@ -59,8 +59,9 @@ struct beckmann_shape {
     /// Sampling Routine for the Beckmann Distribution", whose equation this is times the cosine, so that it holds from
     /// the normal to below the horizon:  z (1 + erf x)/2 + s exp(-x^2)/(2 sqrt(pi)) = u.x sigma,  x < cot.
     /// Scalar types only. u.x = 0 and u.y = 0 give slopes of about 10 instead of infinite ones.
-    constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const requires(detail::one_lane<T>) {
+    constexpr vec3<T> sample_visible(const vec3<T>& w, const vec2<T>& u) const requires(detail::one_lane<T>) {
         using std::erfc, std::exp, std::sqrt;
+        const vec3<T> v = normalize(w);
         const T z = v.z, s = sqrt(v.x * v.x + v.y * v.y), root_pi = sqrt(pi<T>()), last(9);
         const T top = z < last * s ? larger(z / s, -last) : last;
         const auto visible_below = [&](const T& x) { return (z * erfc(-x) + s * exp(-x * x) / root_pi) / T(2); };

@@ -24,6 +24,12 @@ struct ggx_profile {
         return (sqrt(w.x * w.x + w.y * w.y + w.z * w.z) + w.z) / T(2);
     }
 
+    /// The area seen from w and that seen from -w: |w|.
+    constexpr T projected_area_both(const vec3<T>& w) const {
+        using std::sqrt;
+        return sqrt(w.x * w.x + w.y * w.y + w.z * w.z);
+    }
+
     /// (|w|/w.z - 1)/2; above the horizon as (w.x^2 + w.y^2)/(2 w.z (|w| + w.z)).
     constexpr T lambda(const vec3<T>& w) const {
         using std::sqrt;
@@ -40,17 +46,18 @@ struct ggx_profile {
         return {r * c, r * s, sqrt(T(1) - u.x)};
     }
 
-    /// Spherical caps: v plus a direction uniform on the cap that v's mirror image sees. Dupuy & Benyoub 2023,
-    /// "Sampling Visible GGX Normals with Spherical Caps", listing 3, here with the sine of the cap from components:
-    /// its sqrt(1 - z^2) is wrong by up to 17 times for small u.x in float.
-    constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const {
+    /// Spherical caps: w plus a vector of its length, uniform on the cap that w's mirror image sees. Dupuy & Benyoub
+    /// 2023, "Sampling Visible GGX Normals with Spherical Caps", listing 3, here for w of any length, and with the sine
+    /// of the cap from components: its sqrt(1 - z^2) is wrong by up to 17 times for small u.x in float.
+    constexpr vec3<T> sample_visible(const vec3<T>& w, const vec2<T>& u) const {
         using std::sqrt;
-        const T sine2 = v.x * v.x + v.y * v.y, sum = T(1) + absolute(v.z);
-        const T height = select(v.z < T(0), sine2 / sum, sum);  // 1 + v.z
+        const T q = w.x * w.x + w.y * w.y;
+        const T sum = sqrt(q + w.z * w.z) + absolute(w.z);
+        const T height = select(w.z < T(0), q / sum, sum);  // |w| + w.z
         const T z = (T(1) - u.x) * height;
-        const T r = sqrt(u.x * (height * z + sine2));
+        const T r = sqrt(u.x * (height * z + q));
         const auto [s, c] = sincos_2pi(u.y);
-        return {r * c + v.x, r * s + v.y, z};
+        return {r * c + w.x, r * s + w.y, z};
     }
 };
 

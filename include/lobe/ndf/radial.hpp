@@ -185,9 +185,10 @@ public:
         return {r * c, r * s, T(1)};
     }
 
-    constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const
+    constexpr vec3<T> sample_visible(const vec3<T>& w, const vec2<T>& u) const
         requires(detail::one_lane<T>&& radial_shape_with_area<Shape, T> &&
                  !requires { typename Shape::approximate_area; }) {
+        const vec3<T> v = normalize(w);
         if constexpr (requires { shape_.sample_visible(v, u); })
             return shape_.sample_visible(v, u);
         else

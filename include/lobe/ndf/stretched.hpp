@@ -9,14 +9,14 @@ namespace lobe {
 /// projected area and its samples: Heitz 2014, "Understanding the Masking-Shadowing Function", section 5.3.
 ///
 ///   D(m)     = D1(unstretch m) * density_ratio(m)      sigma(w) = sigma1(stretch w)
-///   normal   = normalize(stretch(normal of width 1))   visible normal: the same, seen from normalize(stretch v)
+///   normal   = normalize(stretch(normal of width 1))   visible normal: the same, seen from stretch(v)
 ///
 /// A `Profile` says what its surface of width 1 does:
 /// - `D(m)` of any positive multiple of m, or `D(m, width)` of the stretched surface where that rounds less;
 /// and, where it can,
 /// - `projected_area(w)`, homogeneous: the area seen from w/|w|, times |w|;
 /// - `lambda(w)` of any positive multiple of w;
-/// - `sample(u)`, `sample_visible(v, u)` (unit v): any positive multiple of the normal.
+/// - `sample(u)`, `sample_visible(w, u)` (any positive multiple of w): any positive multiple of the normal.
 template <class Profile, class Width>
 class stretched {
     using T = typename Width::scalar;
@@ -52,6 +52,13 @@ public:
         return profile_.projected_area_above(widths_.stretch(w));
     }
 
+    /// The area seen from w and that seen from -w, sigma(w) + sigma(-w) = 2 sigma(w) - cos(theta_w), for profiles that
+    /// have it without a difference. Unit w.
+    constexpr T projected_area_both(const vec3<T>& w) const
+        requires(requires(const Profile p) { p.projected_area_both(w); }) {
+        return profile_.projected_area_both(widths_.stretch(w));
+    }
+
     /// Unit w; negative, at most -1, below the horizon, infinite at the horizon.
     constexpr T lambda(const vec3<T>& w) const requires(requires(const Profile p) { p.lambda(w); }) {
         return profile_.lambda(widths_.stretch(w));
@@ -63,7 +70,12 @@ public:
     /// 6e-16 in double. (Inlined by force, as is `sample_visible`: docs/design.md.)
     [[gnu::always_inline]] constexpr vec3<T> sample(const vec2<T>& u) const
         requires(requires(const Profile p) { p.sample(u); }) {
-        return normalize(widths_.stretch(profile_.sample(u)));
+        return normalize(sample_multiple(u));
+    }
+    /// The same times a positive number, for those who need no unit length.
+    [[gnu::always_inline]] constexpr vec3<T> sample_multiple(const vec2<T>& u) const
+        requires(requires(const Profile p) { p.sample(u); }) {
+        return widths_.stretch(profile_.sample(u));
     }
     constexpr T pdf(const vec3<T>& m) const { return D(m) * m.z; }
 
@@ -73,7 +85,12 @@ public:
     /// 1e-6 for 99.9 % of the square, more (4e-4 at alpha 1e-4) where grazing facets close at u.x = 1.
     [[gnu::always_inline]] constexpr vec3<T> sample_visible(const vec3<T>& v, const vec2<T>& u) const
         requires(requires(const Profile p) { p.sample_visible(v, u); }) {
-        return normalize(widths_.stretch(profile_.sample_visible(normalize(widths_.stretch(v)), u)));
+        return normalize(sample_visible_multiple(v, u));
+    }
+    /// The same times a positive number.
+    [[gnu::always_inline]] constexpr vec3<T> sample_visible_multiple(const vec3<T>& v, const vec2<T>& u) const
+        requires(requires(const Profile p) { p.sample_visible(v, u); }) {
+        return widths_.stretch(profile_.sample_visible(widths_.stretch(v), u));
     }
     constexpr T pdf_visible(const vec3<T>& v, const vec3<T>& m) const
         requires(requires(const Profile p) { p.projected_area(v); }) {
