@@ -69,7 +69,9 @@ template <class B, class Sampler>
 double jacobian_error(const B& brdf, const Sampler& sampler, const situation& s, std::uint64_t seed) {
     const ggx ndf{alpha_xy{s.ax, s.ay}};
     const vec3<double> v = at(s.mu);
-    const auto light = [&](const vec2<double>& u) { return lobe::reflect(v, lobe::normalize(sampler.sample(ndf, v, u))); };
+    const auto light = [&](const vec2<double>& u) {
+        return lobe::reflect(v, lobe::normalize(sampler.sample(ndf, v, u)));
+    };
     random_numbers random(seed);
     double worst = 0;
     int tried = 0;
