@@ -119,7 +119,7 @@ public:
     [[gnu::always_inline]] constexpr direction_sample<S, T>
     sample(const vec3<T>& v, const vec2<T>& u) const requires normal_sampler<Sampler, N> {
         using std::sqrt;
-        const vec3<T> w = upward(v);  // from straight below no normal is visible
+        const vec3<T> w = upward(v);                  // from straight below no normal is visible
         const vec3<T> n = sampler.sample(ndf, w, u);  // |n| m
         const T v_n = dot(w, n), k = T(2) * v_n / larger(dot(n, n), detail::smallest<T>());
         const vec3<T> l{k * n.x - w.x, k * n.y - w.y, k * n.z - w.z};  // 2 (v.m) m - v
