@@ -121,7 +121,8 @@ lobe::evaluation<vec3, float> seen(const B& brdf, const vec3& v, const vec3& l) 
         return {vec3{0}, 0};
 }
 
-/// The share of a light that the ray of a bounce found (balance heuristic); that of one drawn from the light is 1 less the same.
+/// The share of a light that the ray of a bounce found (balance heuristic); that of one drawn from the light is 1
+/// less the same.
 float share(const bounce& b, float light_pdf) { return b.discrete ? 1 : b.pdf / (b.pdf + light_pdf); }
 // [end]
 

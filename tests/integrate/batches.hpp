@@ -1,4 +1,5 @@
-// The recipe "batches" of docs/integrate.md, alone: tests/settings/vectorised.sh asks compilers whether its loops vectorise.
+// The recipe "batches" of docs/integrate.md, alone: tests/settings/vectorised.sh asks compilers whether its loops
+// vectorise.
 #pragma once
 
 #include <lobe/lobe.hpp>
@@ -31,7 +32,8 @@ void shade(B brdf, batch& hits) {
     }
 }
 
-/// One BRDF a hit, composed from its texels. (The width in its place: a variable for it, and g++ 12 does not vectorise.)
+/// One BRDF a hit, composed from its texels. (The width in its place: with a variable for it g++ 12 does not
+/// vectorise.)
 inline void shade_textured(batch& hits) {
     for (std::size_t i = 0; i < hits.count; ++i) {
         const vec3 v{hits.vx[i], hits.vy[i], hits.vz[i]}, l{hits.lx[i], hits.ly[i], hits.lz[i]};
