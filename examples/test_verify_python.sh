@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The judge for other languages: the Python module, the demo and its time, C99. Needs what examples/verify_python/run.sh needs.
+# The judge for other languages: the Python module, the demo, C99. Needs what examples/verify_python/run.sh needs.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 source "$here/../scripts/setup.sh"
@@ -17,7 +17,6 @@ grep -q '^GGX, masked for the viewer alone: FAILED' "$work/demo" || fail "the wr
 grep -q '^  reciprocity  *FAILED' "$work/demo" || fail "it is not its reciprocity that fails"
 mapfile -t seconds < <(sed -n 's/^\([0-9.]*\) s$/\1/p' "$work/demo")
 ((${#seconds[@]} == 2)) || fail "the demo says no times"
-for s in "${seconds[@]}"; do ((${s%.*} < 10)) || fail "a verdict took $s s"; done # half of it on a machine of its own
 
 library=$here/../build/verify_python
 gcc -std=c99 -Wall -Wextra -Wpedantic -Werror -I"$here/../include" "$here/verify_python/lambert.c" -o "$work/lambert" \
