@@ -9,6 +9,8 @@
 #include <lobe/ndf/masked_by.hpp>
 #include <lobe/sampling/points.hpp>
 
+#include <lobe/energy/albedo.hpp>
+
 #include <xsimd/xsimd.hpp>
 
 using lobe::alpha;
@@ -398,6 +400,41 @@ TEST_CASE("two specular lobes lose no more than the duller", "[layered]") {
               Catch::Approx(0.7 * lobe::directional_albedo(sharp, mu) + 0.3 * lobe::directional_albedo(dull, mu))
                   .epsilon(1e-9));
     CHECK(aborts([] { (void)weighted{-0.1, lambert{0.5}}; }));
+}
+
+TEST_CASE("a grey lobe beside colours gives what its colour would to the bit", "[layered]") {
+    using V = vec3<float>;
+    const V base{0.8F, 0.4F, 0.2F};
+    const auto with = [&](const auto& F0, const auto& weight_of_second) {
+        const schlick F{F0};
+        const microfacet lobe{ggx{alpha{0.3F}}, smith_correlated{}, F};
+        return sum{layered{lobe, lambert{base}, lobe::fresnel_coupling{F}}, weighted{weight_of_second, lobe}};
+    };
+    const auto grey = with(0.04F, 0.5F);
+    const auto coloured = with(V(0.04F), 0.5F);
+    static_assert(std::same_as<decltype(grey)::spectrum, V>);
+    static_assert(std::same_as<decltype(coloured)::spectrum, V>);
+    random_numbers random(11);
+    for (int i = 0; i < 2000; ++i) {
+        const V v = random.grazing_direction<float>(1e-3), l = random.grazing_direction<float>(1e-3);
+        const auto e = grey.evaluate(v, l), same = coloured.evaluate(v, l);
+        REQUIRE(e.f_cos == same.f_cos);
+        REQUIRE(e.pdf == Catch::Approx(same.pdf).epsilon(1e-6));  // the mean of three is rounded
+        REQUIRE(grey.f(v, l) == coloured.f(v, l));
+        const auto s = grey.sample(v, {random(), random()});
+        if (s.pdf > 1e-20F) REQUIRE(s.weight.x == Catch::Approx(grey.f_cos(v, s.l).x / s.pdf).epsilon(1e-3));
+    }
+    CHECK(lobe::directional_albedo(grey, 0.5F).value == lobe::directional_albedo(coloured, 0.5F).value);
+    CHECK(lobe::average_albedo(grey).value == lobe::average_albedo(coloured).value);
+
+    // a grey base under a coloured metal's share, and colours under a grey one
+    const layered under{microfacet{ggx{alpha{0.3F}}, smith_correlated{}, schlick{base}}, lambert{0.5F},
+                        lobe::fresnel_coupling{schlick{base}}};
+    const layered same{microfacet{ggx{alpha{0.3F}}, smith_correlated{}, schlick{base}}, lambert{V(0.5F)},
+                       lobe::fresnel_coupling{schlick{base}}};
+    const V v = lobe::normalize(V{0.3F, 0.1F, 0.6F}), l = lobe::normalize(V{-0.2F, 0.5F, 0.4F});
+    CHECK(under.f(v, l) == same.f(v, l));
+    CHECK(under.albedo_estimate(v) == same.albedo_estimate(v));
 }
 
 TEST_CASE("compositions: below the horizon all is zero, and nothing is ever NaN", "[layered]") {

@@ -160,10 +160,9 @@ public:
 template <brdf Base, normal_density N>
 constexpr auto coated(const Base& base, const N& coat, const typename Base::scalar& weight) {
     using T = typename Base::scalar;
-    using S = typename Base::spectrum;
-    const schlick F{S(T(4) / T(100))};
+    const schlick F{T(4) / T(100)};
     const coat_share share{F, weight};
-    return layered{coupled{microfacet{coat, smith_correlated{}, perfect_reflector<S>{}}, share}, base,
+    return layered{coupled{microfacet{coat, smith_correlated{}, perfect_reflector<T>{}}, share}, base,
                    complement{share}};
 }
 

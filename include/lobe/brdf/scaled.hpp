@@ -2,8 +2,10 @@
 #pragma once
 
 #include <lobe/brdf/concepts.hpp>
+#include <lobe/core/spectrum.hpp>
 
 #include <cassert>
+#include <type_traits>
 
 namespace lobe {
 
@@ -27,13 +29,15 @@ template <brdf B>
 
 }  // namespace detail
 
-/// f = base f * share(v, l), in 1/sr. Sampled as the base is.
+/// f = base f * share(v, l), in 1/sr. Sampled as the base is. Either may be grey, one number, beside the other's
+/// colours.
 template <brdf Base, class Factor>
 class scaled : exact_vectors<scaled<Base, Factor>> {
     using T = typename Base::scalar;
-    using S = typename Base::spectrum;
-    using exact = exact_vectors<scaled>;
     static_assert(factor<Factor, T>, "a factor, or a coupling, is a callable of v and l");
+    using share_type = std::decay_t<std::invoke_result_t<const Factor&, const vec3<T>&, const vec3<T>&>>;
+    using S = detail::mixed_t<T, typename Base::spectrum, share_type>;
+    using exact = exact_vectors<scaled>;
 
 public:
     using scalar = T;
@@ -45,10 +49,10 @@ public:
 
     // (Inlined by force, as the factors are: docs/design.md.)
     [[gnu::always_inline]] constexpr S f(const vec3<T>& v, const vec3<T>& l) const {
-        return base.f(v, l) * share(v, l);
+        return detail::product<T>(base.f(v, l), share(v, l));
     }
     [[gnu::always_inline]] constexpr S f_cos(const vec3<T>& v, const vec3<T>& l) const {
-        return base.f_cos(v, l) * share(v, l);
+        return detail::product<T>(base.f_cos(v, l), share(v, l));
     }
 
     [[gnu::always_inline]] constexpr T pdf(const vec3<T>& v, const vec3<T>& l) const requires samplable_brdf<Base> {
@@ -57,18 +61,18 @@ public:
     [[gnu::always_inline]] constexpr evaluation<S, T> evaluate(const vec3<T>& v,
                                                                const vec3<T>& l) const requires samplable_brdf<Base> {
         const auto e = base.evaluate(v, l);
-        return {e.f_cos * share(v, l), e.pdf};
+        return {detail::product<T>(e.f_cos, share(v, l)), e.pdf};
     }
     /// A failed sample has weight 0, but its view may be a NaN: the factor is asked at n instead.
     [[gnu::always_inline]] constexpr direction_sample<S, T>
     sample(const vec3<T>& v, const vec2<T>& u) const requires samplable_brdf<Base> {
         const auto s = base.sample(v, u);
-        return {s.l, s.weight * share(select(s.pdf > T(0), v, s.l), s.l), s.pdf};
+        return {s.l, detail::product<T>(s.weight, share(select(s.pdf > T(0), v, s.l), s.l)), s.pdf};
     }
 
     /// The base's, times the factor of light along the normal: for 1 - F(v.h) nearer to the truth than 1 - F(n.v).
     [[gnu::always_inline]] constexpr S albedo_estimate(const vec3<T>& v) const {
-        return detail::albedo_estimate(base, v) * share(v, vec3<T>{T(0), T(0), T(1)});
+        return detail::product<T>(detail::albedo_estimate(base, v), share(v, vec3<T>{T(0), T(0), T(1)}));
     }
     constexpr vec2<T> width() const { return base.width(); }
 

@@ -37,6 +37,7 @@ constexpr T mean(const S& s) {
 
 /// f1 + f2 + ... Nothing is shared between the lobes: what one takes from another is for its weight to say.
 /// Two specular lobes, each with a masking of its own: `sum{weighted{1 - t, a}, weighted{t, b}}`.
+/// A lobe may be grey, of one number, beside the others' colours: its Fresnel reflectance is asked once.
 /// `for_each_lobe(g)` calls g with each: quadrature integrates them separately, each on its own width.
 ///
 /// Sampled, where all lobes are, by a one-sample mixture (Veach 1997, "Robust Monte Carlo Methods for Light Transport
@@ -48,10 +49,13 @@ constexpr T mean(const S& s) {
 template <brdf First, brdf... Rest>
 class sum : exact_vectors<sum<First, Rest...>> {
     using T = typename First::scalar;
-    using S = typename First::spectrum;
+    using S = typename detail::mixed<T, typename First::spectrum, typename Rest::spectrum...>::type;
     using exact = exact_vectors<sum>;
+    template <class X>
+    static constexpr bool one_of = std::same_as<X, S> || std::same_as<X, T>;
     static_assert((std::same_as<T, typename Rest::scalar> && ...), "the lobes of a sum share one scalar type");
-    static_assert((std::same_as<S, typename Rest::spectrum> && ...), "the lobes of a sum share one spectrum type");
+    static_assert(one_of<typename First::spectrum> && (one_of<typename Rest::spectrum> && ...),
+                  "the lobes of a sum share one spectrum type, or are grey: of one number");
 
 public:
     using scalar = T;
@@ -113,15 +117,15 @@ private:
 
     template <std::size_t... i>
     [[gnu::always_inline]] constexpr S f(const vec3<T>& v, const vec3<T>& l, std::index_sequence<i...>) const {
-        return (std::get<i>(lobes).f(v, l) + ...);
+        return (S(std::get<i>(lobes).f(v, l)) + ...);
     }
     template <std::size_t... i>
     [[gnu::always_inline]] constexpr S f_cos(const vec3<T>& v, const vec3<T>& l, std::index_sequence<i...>) const {
-        return (std::get<i>(lobes).f_cos(v, l) + ...);
+        return (S(std::get<i>(lobes).f_cos(v, l)) + ...);
     }
     template <std::size_t... i>
     [[gnu::always_inline]] constexpr S albedo_estimate(const vec3<T>& v, std::index_sequence<i...>) const {
-        return (detail::albedo_estimate(std::get<i>(lobes), v) + ...);
+        return (S(detail::albedo_estimate(std::get<i>(lobes), v)) + ...);
     }
 
     /// The probability of each lobe given that none before it was chosen: its part of what is left. So `reached`, the
@@ -153,8 +157,8 @@ private:
                                                                const vec3<T>& l, std::index_sequence<i...>) const {
         evaluation<S, T> total{S(T(0)), T(0)};
         T reached(1);
-        const auto add = [&](const evaluation<S, T>& e, const T& chosen) {
-            total = {total.f_cos + e.f_cos, total.pdf + reached * chosen * e.pdf};
+        const auto add = [&](const auto& e, const T& chosen) {
+            total = {total.f_cos + S(e.f_cos), total.pdf + reached * chosen * e.pdf};
             reached = reached * (T(1) - chosen);
         };
         (add(std::get<i>(lobes).evaluate(v, l), p[i]), ...);
@@ -169,7 +173,7 @@ private:
         vec3<T> l = n;
         T x = u.x, chosen_pdf(0);  // x = 2: a lobe was chosen
         const auto stretched = [&](const T& chance) { return quotient(x < chance, x, chance); };
-        const auto keep = [&](const direction_sample<S, T>& s, const T& chance) {
+        const auto keep = [&](const auto& s, const T& chance) {
             const auto here = x < chance;
             l = select(here, s.l, l);
             chosen_pdf = select(here, s.pdf, chosen_pdf);

@@ -67,6 +67,25 @@ constexpr bool in_unit_interval(const S& s) {
         return true;
 }
 
+/// The spectrum of a sum of A and B, one of which may be grey, a number of type T, beside the other's colours.
+template <class T, class A, class B>
+using mixed_t = std::conditional_t<std::same_as<A, T>, B, A>;
+template <class T, class S, class... Grey>
+struct mixed {
+    using type = S;
+};
+template <class T, class A, class B, class... More>
+struct mixed<T, A, B, More...> : mixed<T, mixed_t<T, A, B>, More...> {};
+
+/// a times b, one of which may be grey: the one with colours first, as types of the user's own have `*` with a number.
+template <scalar T, class A, class B>
+[[gnu::always_inline]] constexpr mixed_t<T, A, B> product(const A& a, const B& b) {
+    if constexpr (std::same_as<A, T>)
+        return b * a;
+    else
+        return a * b;
+}
+
 /// What sums over many samples are kept in: double at least.
 template <class T>
 struct wide {

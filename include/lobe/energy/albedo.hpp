@@ -40,7 +40,7 @@ auto directional_albedo(const B& b, const vec3<typename B::scalar>& v, bool mirr
     for_each_lobe(b, [&](const auto& lobe) {
         const auto f_cos = [lobe, v](const vec3<T>& l) { return lobe.f_cos(v, l); };
         const auto part = hemisphere_integral(f_cos, v, lobe.width(), mirrored, options, creases_of(lobe));
-        total = {total.value + part.value, total.error + part.error, total.evaluations + part.evaluations};
+        total = {total.value + S(part.value), total.error + part.error, total.evaluations + part.evaluations};
     });
     return total;
 }
@@ -110,8 +110,8 @@ auto average_albedo(const B& b, const quadrature& options = {}) {
                     const W mu = from + range * node.at;
                     const vec3<T> v = detail::view_at(T(mu));
                     const auto f_cos = [lobe, v](const vec3<T>& l) { return lobe.f_cos(v, l); };
-                    total = total + detail::hemisphere_integral_at(f_cos, v, lobe.width(), true, directions, creases,
-                                                                   &evaluations) *
+                    total = total + WS(detail::hemisphere_integral_at(f_cos, v, lobe.width(), true, directions, creases,
+                                                                      &evaluations)) *
                                         (W(2) * rule.w[i] * range * node.slope * mu);
                 }
             }
