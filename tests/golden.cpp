@@ -88,6 +88,7 @@ TEMPLATE_TEST_CASE("golden values: every formula within the rounding of its inpu
         const double own = g.normals == "beckmann" && g.quantity == "Lambda" ? (sizeof(T) == 4 ? 3e-5 : 4e-14) : 0;
         const double epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());
         const double error = std::abs(static_cast<double>(computed<T>(g)) / g.value - 1);
+        if (8 * epsilon * (1 + g.condition) > 1) continue;  // of narrow lobes a float knows nothing there
         const double units = (error - own) / (epsilon * (1 + g.condition));
         double& w = worst[g.normals + " " + g.quantity];
         w = larger(w, units);

@@ -1,4 +1,4 @@
-// Functions that take arrays are judged as those of one direction are, in a thousandth of the calls.
+// Functions that take arrays are judged as those of one direction are, in a hundredth of the calls.
 #include "catch.hpp"
 
 #include <lobe/testkit/subject/adapters.hpp>
