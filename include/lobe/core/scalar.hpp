@@ -3,7 +3,6 @@
 
 #include <lobe/core/cpp20.hpp>
 
-#include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -165,6 +164,12 @@ struct sincos_result {
 
 namespace detail {
 
+/// std::bit_cast, which the libraries of older compilers for the web lack.
+template <class To, class From>
+constexpr To bit_cast(const From& x) {
+    return __builtin_bit_cast(To, x);
+}
+
 /// The nearest number of quarter turns to u, halves up. A quarter turn maps (sin, cos) to (cos, -sin).
 template <scalar T>
 struct quarter_turns {
@@ -194,10 +199,10 @@ struct quarter_turns<float> {
         : turns((static_cast<std::uint32_t>(static_cast<std::int32_t>(8.0f * u)) + 1u) >> 1u),
           number(static_cast<float>(static_cast<std::int32_t>(turns))) {}
     constexpr sincos_result<float> rotated(float sine, float cosine) const {
-        const auto s = std::bit_cast<std::uint32_t>(sine), c = std::bit_cast<std::uint32_t>(cosine);
+        const auto s = detail::bit_cast<std::uint32_t>(sine), c = detail::bit_cast<std::uint32_t>(cosine);
         const std::uint32_t swapped = (s ^ c) & (0u - (turns & 1u));
-        return {std::bit_cast<float>(s ^ swapped ^ (turns & 2u) << 30u),
-                std::bit_cast<float>(c ^ swapped ^ ((turns + 1u) & 2u) << 30u)};
+        return {detail::bit_cast<float>(s ^ swapped ^ (turns & 2u) << 30u),
+                detail::bit_cast<float>(c ^ swapped ^ ((turns + 1u) & 2u) << 30u)};
     }
 };
 

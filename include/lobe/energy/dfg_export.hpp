@@ -3,7 +3,6 @@
 
 #include <lobe/energy/dfg.hpp>
 
-#include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
@@ -63,8 +62,8 @@ namespace detail {
 /// The half nearest to x, ties to even, as bits; x in [0,1].
 constexpr std::uint16_t half_bits(float x) {
     // halves below 2^-14 are multiples of 2^-24, as floats from 1/2 on are, so that the sum rounds as they do
-    if (x < 0x1p-14f) return static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(x + 0.5f) - 0x3f000000u);
-    const auto bits = std::bit_cast<std::uint32_t>(x);  // exponent - 127, then 23 bits: a half's are 15 and 10
+    if (x < 0x1p-14f) return static_cast<std::uint16_t>(detail::bit_cast<std::uint32_t>(x + 0.5f) - 0x3f000000u);
+    const auto bits = detail::bit_cast<std::uint32_t>(x);  // exponent - 127, then 23 bits: a half's are 15 and 10
     return static_cast<std::uint16_t>(((bits + 0xfffu + ((bits >> 13) & 1u)) >> 13) - ((127u - 15u) << 10));
 }
 
