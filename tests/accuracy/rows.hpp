@@ -276,9 +276,13 @@ std::vector<row<U>> rows() {
         {"ggx sample_visible, alpha 1e-4", inputs::seen_narrow, 4e-4, radian, nullptr,
          [](const U* x) { return ggx{alpha<U>(x[0])}.sample_visible(at(x + 4), square(x)); }},
         {"visible_heitz2018", inputs::seen, 4e-7, radian, nullptr,
-         [](const U* x) { return lobe::visible_heitz2018{}.sample(ggx{alpha<U>(x[0])}, at(x + 4), square(x)); }},
+         [](const U* x) {
+             return lobe::normalize(lobe::visible_heitz2018{}.sample(ggx{alpha<U>(x[0])}, at(x + 4), square(x)));
+         }},
         {"visible_bounded_caps", inputs::seen, 3e-7, seen, nullptr,
-         [](const U* x) { return lobe::visible_bounded_caps{}.sample(ggx{alpha<U>(x[0])}, at(x + 4), square(x)); }},
+         [](const U* x) {
+             return lobe::normalize(lobe::visible_bounded_caps{}.sample(ggx{alpha<U>(x[0])}, at(x + 4), square(x)));
+         }},
         {"beckmann sample", inputs::square_of, 3e-7, radian, nullptr,
          [](const U* x) { return lobe::beckmann{alpha<U>(x[0])}.sample(square(x)); }},
     };

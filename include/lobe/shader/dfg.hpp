@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lobe/energy/dfg_table.hpp>
+#include <lobe/shader/real.hpp>
 #include <lobe/shader/structs.hpp>
 
 namespace lobe::shader {
