@@ -18,7 +18,7 @@ public:
     virtual bool ask() = 0;
 
     bool listens = false;
-    static inline thread_local constinit listener* current = nullptr;
+    static inline thread_local listener* current = nullptr;
 };
 
 inline bool rehearsing() { return listener::current && listener::current->listens; }
