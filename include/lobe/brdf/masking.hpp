@@ -50,8 +50,8 @@ struct smith_separable : masking_functions<smith_separable> {
 
 /// Masking and shadowing correlated through the height: G2 = 1/(1 + Lambda(v) + Lambda(l)). Ross, Dion, Potvin 2005;
 /// Heitz 2014, eq. 99. The consistent default: it is what the random walk's first bounce does.
-/// den = sv cos_l + sl cos_v - cos_v cos_l, grouped so that it rounds least: with the area S of both sides
-/// (`projected_area_both`) it is (Sv cos_l + Sl cos_v)/2.
+/// den = sv cos_l + sl cos_v - cos_v cos_l, grouped so that it rounds least. In the areas S = 2 s - cos that are seen
+/// from both sides it is (Sv cos_l + Sl cos_v)/2: shorter, where a distribution has them and no caller has sv already.
 /// Error of V: 6 ULP.
 struct smith_correlated : masking_functions<smith_correlated> {
     template <distribution N, class T = typename N::scalar>

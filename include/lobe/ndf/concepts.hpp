@@ -30,6 +30,8 @@ concept samplable_density = normal_density<N> &&
 /// - `projected_area(w)`: sigma, the area of the microsurface seen from w per unit of macrosurface, its own back faces
 ///   excluded (Heitz et al. 2015, Dupuy 2015): cos(theta_w) (1 + Lambda(w)) in Smith's terms; on the whole sphere;
 /// - `lambda(w)`: Smith's Lambda in a form that does not cancel; masking does not call it.
+/// It may have shorter forms for what calls them: `projected_area_above(w)`, `projected_area_both(w)`, and samples that
+/// are not normalised, `sample_multiple(u)`, `sample_visible_multiple(v, u)` (stretched.hpp).
 /// Where there is no closed form the class is a density only; `tabulated` or `masked_by` makes a distribution of it.
 template <class N>
 concept distribution = normal_density<N> && requires(const N ndf, const vec3<typename N::scalar> w) {
