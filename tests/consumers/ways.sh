@@ -39,7 +39,7 @@ quietly "$compiler" "${flags[@]}" -Isingle "$here"/ways/judged.cpp -o one_file_j
 quietly ./one_file_judged
 
 # Headers, CMake's and pkg-config's files, the licence: nothing else, and nothing is left.
-others=$(cd prefix && find . -type f | grep -Ev '^\./(include/lobe/.*\.hpp|share/cmake/lobe/lobe[A-Za-z]+\.cmake|share/pkgconfig/lobe\.pc|share/doc/lobe/LICENSE)$' || true)
+others=$(cd prefix && find . -type f | grep -Ev '^\./(include/lobe/.*\.hpp|include/lobe/testkit/c\.h|share/cmake/lobe/lobe[A-Za-z]+\.cmake|share/pkgconfig/lobe\.pc|share/doc/lobe/LICENSE)$' || true)
 [[ -z $others ]] || { echo "FAILED: installed as well: $others" >&2; exit 1; }
 quietly cmake -P "$root/scripts/uninstall.cmake" lobe/install_manifest.txt
 [[ ! -e prefix ]] || { echo "FAILED: left by the uninstaller: $(find prefix)" >&2; exit 1; }
