@@ -130,7 +130,7 @@ TEST_CASE("a rough pane: two lobes of microfacet, reciprocal, its samples have i
         const auto v = random.direction(), l = random.direction();
         const auto e = thin.evaluate(v, l);
         CHECK(e.f_cos == Catch::Approx(thin.f(v, l) * std::abs(l.z)).epsilon(1e-12));
-        CHECK(e.f_cos == Catch::Approx(thin.f_cos(v, l)).epsilon(8 * eps)); // V alone rounds otherwise
+        CHECK(e.f_cos == Catch::Approx(thin.f_cos(v, l)).epsilon(8 * eps));  // V alone rounds otherwise
         CHECK(e.pdf == thin.pdf(v, l));
         CHECK(thin.f(v, l) == Catch::Approx(thin.f(l, v)).epsilon(1e-12));
         // the two sides share what the lossless lobe has
