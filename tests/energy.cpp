@@ -55,6 +55,7 @@ TEST_CASE("the quadrature raises its order until the error is small enough, and 
         INFO("mu " << row[0] << " alpha " << row[1]);
         CHECK(std::abs(E.value - row[2]) < 1e-6);
         CHECK(E.error <= 1e-6);
+        CHECK(E.evaluations <= 128 + 288 + 512 + 2048);
     }
     const microfacet hc{ggx{alpha{0.3}}, smith_correlated{}, perfect_reflector{}};
     // itself, three quarters and half of it, for its error
@@ -165,10 +166,10 @@ TEST_CASE("albedo in float is that of double to float's digits", "[energy]") {
             const microfacet in_float{ggx{alpha{a}}, smith_correlated{}, schlick{vec3<float>{0.9f, 0.5f, 0.04f}}};
             const microfacet in_double{ggx{alpha{static_cast<double>(a)}}, smith_correlated{},
                                        schlick{vec3<double>{0.9f, 0.5f, 0.04f}}};
-            const auto x = lobe::directional_albedo(in_float, mu).value;
-            const auto y = lobe::directional_albedo(in_double, static_cast<double>(mu)).value;
+            const auto x = lobe::directional_albedo(in_float, mu);
+            const auto y = lobe::directional_albedo(in_double, static_cast<double>(mu));
             // l rounded to 6e-8 shifts the half vector by 6e-8/mu slopes at most; the shifts are random and average out
-            CHECK(lobe::length(vec3<double>(x) - y) < 2e-6);
+            CHECK(lobe::length(vec3<double>(x.value) - y.value) < larger(2e-6, static_cast<double>(x.error) / 4));
         }
 }
 

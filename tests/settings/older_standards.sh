@@ -5,7 +5,8 @@ compiler=$1
 cd "$2"
 failed=0
 for standard in c++17 c++14; do
-    for header in $(find lobe -name '*.hpp' ! -name cpp20.hpp); do
+    # of the older one the umbrellas are enough
+    for header in $([[ $standard == c++14 ]] && ls lobe/*.hpp || find lobe -name '*.hpp' ! -name cpp20.hpp); do
         errors=$("$compiler" -std=$standard -x c++ -fsyntax-only -I. "$header" 2>&1 | grep 'error:') || true
         if [[ ${errors%%$'\n'*} != *'lobe needs C++20'* || $(wc -l <<< "$errors") -gt 2 ]]; then
             printf 'FAILED: %s %s\n%s\n' "$header" $standard "$(head -5 <<< "$errors")"

@@ -37,6 +37,15 @@ constexpr void for_each_crease(const Part& part, const G& g) {
     if constexpr (requires { part.for_each_crease(g); }) part.for_each_crease(g);
 }
 
+/// Whether it has kinks elsewhere, if it says so with `kinked`.
+template <class Part>
+constexpr bool kinked(const Part& part) {
+    if constexpr (requires { part.kinked; })
+        return part.kinked;
+    else
+        return false;
+}
+
 /// Does it say `transmits`? Then it scatters to both sides, and is no BRDF.
 template <class B>
 constexpr bool transmitting() {

@@ -76,6 +76,7 @@ struct smith_correlated : masking_functions<smith_correlated> {
 /// v, l unit, above the horizon. Calls `atan2`, so a loop vectorises only where there is a vector atan2.
 /// Error: 6 ULP.
 struct smith_direction_correlated : masking_functions<smith_direction_correlated> {
+    static constexpr bool kinked = true;
     using masking_functions::denominator;
     template <distribution N, class T = typename N::scalar>
     constexpr T denominator(const N& ndf, const vec3<T>& v, const vec3<T>& l, const T& sv) const {

@@ -142,7 +142,8 @@ public:
     constexpr const N& normals() const { return ndf; }
     constexpr const F& fresnel() const { return fresnel_; }
 
-    /// The critical angles of the Fresnel reflectance: where quadrature cuts.
+    /// Whether the masking bends; the critical angles of the Fresnel reflectance: where quadrature cuts.
+    static constexpr bool kinked = requires { requires M::kinked; };
     template <class G>
     constexpr void for_each_crease(const G& g) const {
         detail::for_each_crease(fresnel_, g);

@@ -29,7 +29,8 @@ struct estimate {
 /// How hard to try. With `order = 0` the order goes 8, 12, 16, 24, 32, ... until the error is at most `tolerance`
 /// (absolute; before the roundings in T), or the order 192. Otherwise the value is that of this order. In both cases
 /// the error is 4 times the distance to the farther of two lower orders, 3/4 and 1/2 of it: one alone can agree by
-/// accident.
+/// accident. A smooth lobe goes from 16 to 32, and stops there if that changed it 64 times less than what made 16 of 8
+/// and 12: the error is then 1/16 of this change. That is 2976 evaluations for isotropic GGX.
 /// An order n costs 2 n^2 evaluations for a view in the plane of symmetry of an isotropic BRDF, 4 n^2 for any other,
 /// and with the two lower ones 1.8 times that; with a critical angle, 2 to 5 times more.
 struct quadrature {
@@ -76,19 +77,32 @@ struct converged {
 };
 
 /// The value at an order, with the error that `quadrature` describes: at the order asked for, or at the first that
-/// meets the tolerance.
+/// meets the tolerance. `smooth`: the integrand has no crease.
 template <class W, class AtOrder>
-auto converge(const AtOrder& at_order, const quadrature& options, int last) {
+auto converge(const AtOrder& at_order, const quadrature& options, int last, bool smooth) {
     int order = options.order ? options.order : 16;
     auto half = at_order(order / 2), lower = at_order(3 * order / 4), value = at_order(order);
+    using value_type = decltype(value);
     const auto error = [&] { return W(4) * W(larger(difference(value, half), difference(value, lower))); };
+    if (smooth && !options.order && error() > W(options.tolerance)) {
+        // From 16 to 32 at once. Where that gains 64 times, n^-6 (smooth ones gain n^-7 to n^-8), the next doubling
+        // would gain as much; a quarter of it is believed.
+        const auto twice = at_order(32);
+        const W before = error() / W(4), now = W(larger(difference(twice, value), difference(twice, lower) / 8));
+        if (now <= before / W(64) && now / W(16) <= W(options.tolerance))
+            return converged<value_type, W>{twice, now / W(16), 32};
+        half = value;
+        lower = at_order(24);
+        value = twice;
+        order = 32;
+    }
     while (!options.order && error() > W(options.tolerance) && order < last) {
         order = order % 3 ? order / 2 * 3 : order / 3 * 4;
         half = lower;
         lower = value;
         value = at_order(order);
     }
-    return converged<decltype(value), W>{value, error(), order};
+    return converged<value_type, W>{value, error(), order};
 }
 
 /// What a value may be off by because g is rounded to T, and because the direction l is: by u, which shifts the half
@@ -337,10 +351,11 @@ auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, 
 /// int g(l) dl over the upper hemisphere, for a g that follows reflections from v by a surface whose slopes have the
 /// scale `width`: f_cos, a pdf, each times anything smooth. Unit v above the horizon. Scalar types only.
 /// `creases`: the cosines v.m in (0,1) at which g has a kink, m the half vector: critical angles. The nodes are cut
-/// there.
+/// there. `smooth`: g has no kink at all, and is even in the azimuth around v: fewer orders do.
 template <scalar T, class G>
 auto hemisphere_integral(const G& g, const vec3<T>& v, const vec2<T>& width, bool mirrored,
-                         const quadrature& options = {}, const std::vector<detail::wide_t<T>>& creases = {}) {
+                         const quadrature& options = {}, const std::vector<detail::wide_t<T>>& creases = {},
+                         bool smooth = false) {
     using S = decltype(g(v));
     using W = detail::wide_t<T>;
     assert(v.z > T(0) && width.x > T(0) && width.y > T(0) &&
@@ -350,7 +365,7 @@ auto hemisphere_integral(const G& g, const vec3<T>& v, const vec2<T>& width, boo
     const auto at_order = [&](int order) {
         return detail::hemisphere_integral_at(g, v, width, mirrored, order, creases, &evaluations);
     };
-    const auto result = detail::converge<W>(at_order, options, 192);
+    const auto result = detail::converge<W>(at_order, options, 192, smooth && creases.empty());
     const W rounded = detail::rounding<T>(result.value, W(smaller(width.x, width.y)) * W(v.z), result.order);
     return estimate<S, T>{S(result.value), T(result.error + rounded), evaluations};
 }
