@@ -22,13 +22,15 @@ struct body {
 
 namespace detail {
 
-template <class F>
-struct signature : signature<decltype(&F::operator())> {};
+template <class Call>
+struct signature_of;
 template <class F, class R, class... A>
-struct signature<R (F::*)(A...) const> {
+struct signature_of<R (F::*)(A...) const> {
     using result = std::remove_cvref_t<R>;
     using arguments = std::tuple<std::remove_cvref_t<A>...>;
 };
+template <class F>
+using signature = signature_of<decltype(&F::operator())>;
 
 }  // namespace detail
 
