@@ -4,6 +4,7 @@
 #include "support.hpp"
 
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
 
 #include <filesystem>
 #include <map>
@@ -151,6 +152,29 @@ bool near_to(const vec3& a, const vec3& b, float tolerance) {
     return lobe::length(a - b) <= tolerance * (1e-6f + lobe::length(b));
 }
 
+// [glass]
+/// A path meets glass: where it goes on, with its throughput; s.pdf == 0: it ends, and the weight is 0.
+template <class Glass>
+vec3 onward(const Glass& glass, const vec3& outside_normal, const vec3& ray, const vec3& u, float& throughput,
+            bool& inside) {
+    const lobe::frame at{outside_normal};
+    const auto s = glass.sample(at.to_local(-ray), u);  // u.z chooses between reflection and refraction
+    throughput *= s.weight;
+    inside = s.l.z < 0;  // the medium that the next segment crosses
+    return at.to_world(s.l);
+}
+
+/// What comes from a light, e.f_cos, which holds |cos|; e.pdf is for multiple importance sampling.
+template <class Glass>
+auto lit(const Glass& glass, const vec3& outside_normal, const vec3& ray, const vec3& light) {
+    const lobe::frame at{outside_normal};
+    return glass.evaluate(at.to_local(-ray), at.to_local(light));
+}
+
+/// What a segment inside lets through: Beer's law, absorption in 1/length.
+vec3 let_through(const vec3& absorption, float distance) { return glm::exp(-absorption * distance); }
+// [end]
+
 }  // namespace
 
 TEST_CASE("a variant and a switch give what the BRDF itself gives", "[integrate]") {
@@ -293,7 +317,42 @@ TEST_CASE("arrays of BRDFs begin with a BRDF of one's own or with none", "[integ
     CHECK(std::get<2>(table[5]).f_cos({0, 0, 1}, {0, 0, 1}).x > 0);
 }
 
-TEST_CASE("docs/integrate.md has the recipes that are tested and no others", "[integrate]") {
+TEST_CASE("a path through glass carries what the interface reflects and lets through", "[integrate]") {
+    const auto normal = lobe::normalize(vec3{0.3f, -0.5f, 0.8f});
+    const lobe::rough_dielectric glass{lobe::ggx{lobe::alpha{0.4f}}, lobe::smith_joint{}, 1.5f};
+    const lobe::frame at{normal};
+    random_numbers random(5);
+    for (const vec3 v : {vec3{0.6f, 0, 0.8f}, vec3{0.6f, 0, -0.8f}}) {
+        const auto expected = lobe::directional_albedo(glass, v);
+        double sum[2] = {0, 0}, squares[2] = {0, 0}, off = 0;
+        const int paths = 40000;
+        for (int i = 0; i < paths; ++i) {
+            float throughput = 1;
+            bool inside = false;
+            const vec3 u{random(), random(), random()}, ray = -at.to_world(v);
+            const vec3 l = onward(glass, normal, ray, u, throughput, inside);
+            if (!(throughput > 0)) continue;
+            off = larger(off, static_cast<double>(lobe::length(l)) - 1);
+            CHECK(inside == (lobe::dot(l, normal) < 0));
+            const bool crossed = inside == (v.z > 0);
+            const auto weight = static_cast<double>(throughput);
+            sum[crossed] += weight / paths;
+            squares[crossed] += weight * weight / paths;
+            const auto e = lit(glass, normal, ray, l);
+            CHECK(e.f_cos == Catch::Approx(throughput * e.pdf).epsilon(1e-3).margin(1e-4));
+        }
+        CHECK(off < 1e-6);
+        const double truth[2] = {static_cast<double>(expected.reflected.value),
+                                 static_cast<double>(expected.transmitted.value)};
+        for (int side = 0; side < 2; ++side) {
+            INFO(sum[side] << " for " << truth[side]);
+            CHECK(std::abs(sum[side] - truth[side]) < 4.5 * std::sqrt((squares[side] - sum[side] * sum[side]) / paths));
+        }
+    }
+    CHECK(let_through(vec3{1, 2, 0}, 0.5f).y == Catch::Approx(std::exp(-1.0)));
+}
+
+TEST_CASE("docs/integrate.md and docs/glass.md have the recipes that are tested and no others", "[integrate]") {
     const std::filesystem::path root = std::filesystem::path(LOBE_REFERENCE_DIR) / "../..";
     /// The lines between `begin` and the next `end`, block by block.
     const auto blocks = [&](const char* path, const std::string& begin, const std::string& end) {
@@ -313,7 +372,9 @@ TEST_CASE("docs/integrate.md has the recipes that are tested and no others", "[i
     const auto more = blocks("tests/integrate/batches.hpp", "// [", "// [end]");
     tested.insert(tested.end(), more.begin(), more.end());
     auto shown = blocks("docs/integrate.md", "```cpp", "```");
-    REQUIRE(tested.size() == 8);
+    const auto glass = blocks("docs/glass.md", "```cpp", "```");
+    shown.insert(shown.end(), glass.begin(), glass.end());
+    REQUIRE(tested.size() == 9);
     std::sort(tested.begin(), tested.end());
     std::sort(shown.begin(), shown.end());
     REQUIRE(shown.size() == tested.size());
