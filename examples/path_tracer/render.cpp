@@ -1,7 +1,7 @@
 #include "render.hpp"
 
+#include "../common/random.hpp"
 #include "../common/rows.hpp"
-#include "../render_spheres/random.hpp"
 #include "lights.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "glass.hpp"
 
-#include "random.hpp"
+#include "../common/random.hpp"
 #include "reference_map.hpp"
 #include "tiles.hpp"
 

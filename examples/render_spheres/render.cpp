@@ -1,7 +1,7 @@
 #include "render.hpp"
 
 #include "../common/maps.hpp"
-#include "random.hpp"
+#include "../common/random.hpp"
 #include "reference_map.hpp"
 #include "tiles.hpp"
 

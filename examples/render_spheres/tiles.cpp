@@ -1,7 +1,7 @@
 #include "tiles.hpp"
 
 #include "../common/progress.hpp"
-#include "random.hpp"
+#include "../common/random.hpp"
 
 #include <algorithm>
 #include <cmath>
