@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The printed WGSL run in Chromium's WebGPU, the GLSL ES compiled in its WebGL 2, both headless on SwiftShader: browser.sh SHADER_WRITE
+# The printed WGSL run in Chromium's WebGPU, the GLSL ES in its WebGL 2, both headless on SwiftShader: browser.sh SHADER_WRITE
 # What is missing is named, and the test skipped (exit code 77), in CI it fails: Chromium (Debian: chromium), node, playwright-core (npm, fetched).
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

@@ -34,6 +34,22 @@ auto recorded(const char* name, const F& f) {
                             });
 }
 
+/// found[begin k] = the kth number of the result r, a line each.
+std::string stores(const shader::body& function, const std::string& begin) {
+    std::string text;
+    std::uint32_t component = 0;
+    shader::detail::for_each_part(
+        function.result, "r", component, [&](const shader::type& t, const std::string& name, std::uint32_t first) {
+            const bool number = t.kind == shader::type::number;
+            if (!number && t.kind != shader::type::vector_2 && t.kind != shader::type::vector_3) return;
+            const char* parts[] = {".x", ".y", ".z"};
+            for (std::uint32_t i = 0; i < shader::components(t); ++i)
+                text +=
+                    "    found[" + begin + std::to_string(first + i) + "] = " + name + (number ? "" : parts[i]) + ";\n";
+        });
+    return text;
+}
+
 /// 10 numbers in, 7 numbers out, an invocation each.
 std::string kernel(const shader::body& function, bool hlsl) {
     std::string text =
@@ -50,38 +66,30 @@ std::string kernel(const shader::body& function, bool hlsl) {
             " r = " + function.name + "(" + vector + "3(given[i], given[i + 1], given[i + 2]), " + vector +
             "3(given[i + 3], given[i + 4], given[i + 5]), " + vector +
             "2(given[i + 6], given[i + 7]), given[i + 8], given[i + 9]);\n";
-    std::uint32_t component = 0;
-    shader::detail::for_each_part(function.result, "r", component,
-                                  [&](const shader::type& t, const std::string& name, std::uint32_t first) {
-                                      const auto out = [&](std::uint32_t i, const std::string& value) {
-                                          text += "    found[o + " + std::to_string(first + i) + "] = " + value + ";\n";
-                                      };
-                                      if (t.kind == shader::type::number) out(0, name);
-                                      if (t.kind == shader::type::vector_2) out(0, name + ".x"), out(1, name + ".y");
-                                      if (t.kind == shader::type::vector_3)
-                                          out(0, name + ".x"), out(1, name + ".y"), out(2, name + ".z");
-                                  });
-    return text + "}\n";
+    return text + stores(function, "o + ") + "}\n";
 }
 
 std::string wgsl_kernel(const shader::body& function) {
-    std::string text =
-        "\n@group(0) @binding(0) var<storage, read> given: array<f32>;\n@group(0) @binding(1) var<storage, read_write> "
-        "found: array<f32>;\n@compute @workgroup_size(64) fn main(@builtin(global_invocation_id) id: vec3u) {\n"
-        "    let i = 10u * id.x;\n    let o = 7u * id.x;\n    let r = " +
-        function.name +
-        "(vec3f(given[i], given[i + 1], given[i + 2]), vec3f(given[i + 3], given[i + 4], given[i + 5]), "
-        "vec2f(given[i + 6], given[i + 7]), given[i + 8], given[i + 9]);\n";
-    std::uint32_t component = 0;
-    shader::detail::for_each_part(
-        function.result, "r", component, [&](const shader::type& t, const std::string& name, std::uint32_t first) {
-            const bool number = t.kind == shader::type::number;
-            if (!number && t.kind != shader::type::vector_2 && t.kind != shader::type::vector_3) return;
-            const char* parts[] = {".x", ".y", ".z"};
-            for (std::uint32_t i = 0; i < shader::components(t); ++i)
-                text += "    found[o + " + std::to_string(first + i) + "] = " + name + (number ? "" : parts[i]) + ";\n";
-        });
-    return text + "}\n";
+    return "\n@group(0) @binding(0) var<storage, read> given: array<f32>;\n@group(0) @binding(1) var<storage, "
+           "read_write> found: array<f32>;\n@compute @workgroup_size(64) fn main(@builtin(global_invocation_id) id: "
+           "vec3u) {\n    let i = 10u * id.x;\n    let o = 7u * id.x;\n    let r = " +
+           function.name +
+           "(vec3f(given[i], given[i + 1], given[i + 2]), vec3f(given[i + 3], given[i + 4], given[i + 5]), "
+           "vec2f(given[i + 6], given[i + 7]), given[i + 8], given[i + 9]);\n" +
+           stores(function, "o + ") + "}\n";
+}
+
+/// A vertex shader, for WebGL 2 has no other way to many numbers of full precision: transform feedback captures what
+/// it finds, though not an array.
+std::string es_kernel(const shader::body& function) {
+    return "\nlayout(location = 0) in vec3 given_v;\nlayout(location = 1) in vec3 given_l;\nlayout(location = 2) in "
+           "vec2 given_u;\nlayout(location = 3) in vec2 given_width_x;\nflat out vec4 found_0123;\nflat out vec3 "
+           "found_456;\nvoid main() {\n    gl_Position = vec4(0.0);\n    float found[7];\n"
+           "    for (int k = 0; k < 7; ++k) found[k] = 0.0;\n    " +
+           shader::detail::in(shader::glsl_es(), function.result) + " r = " + function.name +
+           "(given_v, given_l, given_u, given_width_x.x, given_width_x.y);\n" + stores(function, "") +
+           "    found_0123 = vec4(found[0], found[1], found[2], found[3]);\n"
+           "    found_456 = vec3(found[4], found[5], found[6]);\n}\n";
 }
 
 std::string json(double x) {
@@ -100,7 +108,7 @@ struct doubles {
     void add(double x) { at.push_back(x); }
 };
 
-/// For browser.mjs: inputs; of each function its WGSL with a kernel, lobe's results in double and in float.
+/// For browser.mjs: inputs; of each function its WGSL and GLSL ES with kernels, lobe's results in double and in float.
 void write_cases(std::ostream& to) {
     shader_tests::random_inputs random;
     std::vector<shader_tests::input<float>> inputs;
@@ -125,7 +133,8 @@ void write_cases(std::ostream& to) {
         shader::file file;
         file.add(one);
         to << (first ? "" : ",\n") << "{\"name\":\"" << name << "\",\"count\":" << exact.at.size() / inputs.size()
-           << ",\"code\":" << quoted(file.print(shader::wgsl()) + wgsl_kernel(*one.recording()));
+           << ",\"wgsl\":" << quoted(file.print(shader::wgsl()) + wgsl_kernel(*one.recording()))
+           << ",\"es\":" << quoted("#version 300 es\n" + file.print(shader::glsl_es()) + es_kernel(*one.recording()));
         for (const auto& [what, values] : {std::pair("exact", &exact.at), std::pair("cpu", &cpu.at)}) {
             to << ",\"" << what << "\":[";
             for (std::size_t i = 0; i < values->size(); ++i) to << (i ? "," : "") << json((*values)[i]);
