@@ -39,8 +39,11 @@ struct number<Pack> {
     static double lane(const Pack& x, std::size_t i) { return static_cast<double>(x.get(i)); }
 };
 
-/// What is rounded to float is the same number in every type.
-inline double in_float(double x) { return static_cast<double>(static_cast<float>(x)); }
+/// What is rounded to float is the same number in every type. (Volatile: -ffast-math drops the rounding.)
+inline double in_float(double x) {
+    const volatile float rounded = static_cast<float>(x);
+    return static_cast<double>(rounded);
+}
 
 /// A vector in each lane, and the same vectors in double.
 template <class T>
