@@ -14,6 +14,7 @@ if [[ "$*" == settings ]]; then
 fi
 ((${#presets[@]})) || presets=(gcc clang)
 [[ " ${presets[*]} " != *" gcc "* ]] || (need git g++-mingw-w64-x86-64-posix) || echo "Without MinGW: <windows.h> is not tested" >&2
+[[ " ${presets[*]} " != *" gcc "* ]] || (need g++-aarch64-linux-gnu g++-i686-linux-gnu qemu-user-static) || echo "Without QEMU: aarch64 and i686 are not tested" >&2
 if [[ " ${presets[*]} " == *" gcc "* ]]; then
     (need chromium) || echo "Without Chromium: printed WGSL is not run" >&2
     command -v npm >/dev/null || (need nodejs npm) || echo "Without npm: printed WGSL is not run" >&2
