@@ -24,8 +24,8 @@ void every_case(input& in, int cases, const lobe::vec2<T>& width, const InDomain
         in.start_case(static_cast<std::uint64_t>(i));
         if constexpr (any_bits) {
             const lobe::vec3<T> v = any_vector<T>(in), l = any_vector<T>(in);
-            const T x = any_number<T>(in);
-            anything(v, l, lobe::vec2<T>{x, any_number<T>(in)});
+            const T x = number_below_1<T>(in);  // a float far outside would not fit the integer of its quarter turns
+            anything(v, l, lobe::vec2<T>{x, number_below_1<T>(in)});
         } else {
             const lobe::vec3<T> v = direction<T>(in), l = light(in, v, width);
             const T x = number_below_1<T>(in);
