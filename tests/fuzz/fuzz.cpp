@@ -1,7 +1,7 @@
 // The fuzzer's target: an input chooses a model and its parameters, and up to 256 cases of directions and random
 // numbers follow from it.
 // Built twice: in the stated domain, where all the invariants hold, and with LOBE_FUZZ_ANY_BITS on any bits as
-// directions and numbers, of which nothing is promised but to come back.
+// directions, of which nothing is promised but to come back.
 #include "invariants.hpp"
 #include "parts.hpp"
 
