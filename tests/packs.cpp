@@ -62,64 +62,7 @@ void compare_packs(typename Pack::value_type tolerance) {
 
 }  // namespace
 
-namespace duals {
-
-/// A number and its derivative.
-struct dual {
-    double value = 0, slope = 0;
-    dual() = default;
-    explicit dual(double x, double dx = 0) : value(x), slope(dx) {}
-    friend dual operator-(dual a) { return dual(-a.value, -a.slope); }
-    friend dual operator+(dual a, dual b) { return dual(a.value + b.value, a.slope + b.slope); }
-    friend dual operator-(dual a, dual b) { return dual(a.value - b.value, a.slope - b.slope); }
-    friend dual operator*(dual a, dual b) { return dual(a.value * b.value, a.slope * b.value + a.value * b.slope); }
-    friend dual operator/(dual a, dual b) {
-        return dual(a.value / b.value, (a.slope - a.value / b.value * b.slope) / b.value);
-    }
-    dual& operator+=(dual b) { return *this = *this + b; }
-    dual& operator-=(dual b) { return *this = *this - b; }
-    dual& operator*=(dual b) { return *this = *this * b; }
-    dual& operator/=(dual b) { return *this = *this / b; }
-    friend bool operator<(dual a, dual b) { return a.value < b.value; }
-    friend bool operator>(dual a, dual b) { return a.value > b.value; }
-    friend bool operator>=(dual a, dual b) { return a.value >= b.value; }
-    friend bool operator<=(dual a, dual b) { return a.value <= b.value; }
-    friend bool operator==(dual a, dual b) { return a.value == b.value; }
-    friend dual sqrt(dual a) {
-        const double r = std::sqrt(a.value);
-        return dual(r, a.slope / (2 * r));
-    }
-    friend dual sin(dual a) { return dual(std::sin(a.value), a.slope * std::cos(a.value)); }
-    friend dual cos(dual a) { return dual(std::cos(a.value), -a.slope * std::sin(a.value)); }
-};
-
-}  // namespace duals
-
-using duals::dual;
-
 TEST_CASE("a pack of floats or doubles gives what its lanes give", "[packs]") {
     compare_packs<xsimd::batch<float>>(2e-6f);
     compare_packs<xsimd::batch<double>>(4e-15);
-}
-
-TEST_CASE("dual numbers differentiate f_cos with respect to alpha", "[packs]") {
-    const auto f = [](auto a, auto v, auto l) {
-        using T = decltype(a);
-        return lobe::microfacet{lobe::ggx{lobe::alpha<T>(a)}, lobe::smith_correlated{}, lobe::schlick{T(0.04)}}.f_cos(
-            v, l);
-    };
-    const vec3<double> v = lobe::normalize(vec3<double>{0.3, 0.1, 0.8}),
-                       l = lobe::normalize(vec3<double>{-0.5, 0.1, 0.6});
-    const auto lift = [](const vec3<double>& w) { return vec3<dual>{dual(w.x), dual(w.y), dual(w.z)}; };
-    for (double a : {0.05, 0.3, 0.9}) {
-        const dual d = f(dual(a, 1), lift(v), lift(l));
-        const double h = 1e-5, difference = (f(a + h, v, l) - f(a - h, v, l)) / (2 * h);
-        CHECK(d.value == Catch::Approx(f(a, v, l)));
-        CHECK(d.slope == Catch::Approx(difference).epsilon(1e-6));
-    }
-    const auto s = lobe::microfacet{lobe::ggx{lobe::alpha<dual>(dual(0.3, 1))}, lobe::smith_correlated{},
-                                    lobe::schlick{dual(0.04)}}
-                       .sample(lift(v), {dual(0.3), dual(0.7)});
-    CHECK(s.weight.value > 0);
-    CHECK(std::isfinite(s.weight.slope));
 }

@@ -63,3 +63,25 @@ TEST_CASE("dual numbers differentiate with respect to width and F0 and view", "[
             }
     }
 }
+
+TEST_CASE("dual numbers differentiate narrow lobes; samples have derivatives", "[scalars]") {
+    const auto f = [](auto a, auto v, auto l) {
+        using T = decltype(a);
+        return lobe::microfacet{lobe::ggx{lobe::alpha<T>(a)}, lobe::smith_correlated{}, lobe::schlick{T(0.04)}}.f_cos(
+            v, l);
+    };
+    const lobe::vec3<double> v = lobe::normalize(lobe::vec3<double>{0.3, 0.1, 0.8}),
+                             l = lobe::normalize(lobe::vec3<double>{-0.5, 0.1, 0.6});
+    const auto lift = [](const lobe::vec3<double>& w) { return lobe::vec3<dual>{dual(w.x), dual(w.y), dual(w.z)}; };
+    for (double a : {0.05, 0.3, 0.9}) {
+        const dual d = f(dual(a, 1), lift(v), lift(l));
+        const double h = 1e-5, difference = (f(a + h, v, l) - f(a - h, v, l)) / (2 * h);
+        CHECK(d.value == Catch::Approx(f(a, v, l)));
+        CHECK(d.slope == Catch::Approx(difference).epsilon(1e-6));
+    }
+    const auto s = lobe::microfacet{lobe::ggx{lobe::alpha<dual>(dual(0.3, 1))}, lobe::smith_correlated{},
+                                    lobe::schlick{dual(0.04)}}
+                       .sample(lift(v), {dual(0.3), dual(0.7)});
+    CHECK(s.weight.value > 0);
+    CHECK(std::isfinite(s.weight.slope));
+}

@@ -1,7 +1,7 @@
 // The fuzzer's target: an input chooses a model and its parameters, and up to 256 cases of directions and random
 // numbers follow from it.
 // Built twice: in the stated domain, where all the invariants hold, and with LOBE_FUZZ_ANY_BITS on any bits as
-// directions, of which nothing is promised but to come back.
+// directions and numbers, of which nothing is promised but to come back.
 #include "invariants.hpp"
 #include "parts.hpp"
 
@@ -24,8 +24,8 @@ void every_case(input& in, int cases, const lobe::vec2<T>& width, const InDomain
         in.start_case(static_cast<std::uint64_t>(i));
         if constexpr (any_bits) {
             const lobe::vec3<T> v = any_vector<T>(in), l = any_vector<T>(in);
-            const T x = number_below_1<T>(in);  // a float far outside would not fit the integer of its quarter turns
-            anything(v, l, lobe::vec2<T>{x, number_below_1<T>(in)});
+            const T x = any_turns<T>(in);
+            anything(v, l, lobe::vec2<T>{x, any_turns<T>(in)});
         } else {
             const lobe::vec3<T> v = direction<T>(in), l = light(in, v, width);
             const T x = number_below_1<T>(in);

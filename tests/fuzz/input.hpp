@@ -218,6 +218,13 @@ T any_number(input& in) {
         return std::bit_cast<T>(word);
 }
 
+/// Of any bits, what has a sine and a cosine: `sincos_2pi` of a float is undefined elsewhere.
+template <class T>
+T any_turns(input& in) {
+    const T u = any_number<T>(in);
+    return std::abs(u) < T(1 << 28) ? u : T(0);
+}
+
 template <class T>
 lobe::vec3<T> any_vector(input& in) {
     const T x = any_number<T>(in), y = any_number<T>(in);

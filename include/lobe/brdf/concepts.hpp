@@ -37,7 +37,7 @@ constexpr void for_each_crease(const Part& part, const G& g) {
     if constexpr (requires { part.for_each_crease(g); }) part.for_each_crease(g);
 }
 
-/// Whether it has kinks elsewhere, if it says so with `kinked`.
+/// Whether it says, by `kinked`, that it bends elsewhere as well: quadrature then takes no step for granted.
 template <class Part>
 constexpr bool kinked(const Part& part) {
     if constexpr (requires { part.kinked; })

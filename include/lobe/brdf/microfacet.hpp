@@ -142,8 +142,9 @@ public:
     constexpr const N& normals() const { return ndf; }
     constexpr const F& fresnel() const { return fresnel_; }
 
-    /// Whether the masking bends; the critical angles of the Fresnel reflectance: where quadrature cuts.
+    /// Does the masking bend?
     static constexpr bool kinked = requires { requires M::kinked; };
+    /// The critical angles of the Fresnel reflectance: where quadrature cuts.
     template <class G>
     constexpr void for_each_crease(const G& g) const {
         detail::for_each_crease(fresnel_, g);

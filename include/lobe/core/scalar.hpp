@@ -213,7 +213,7 @@ struct quarter_turns<float> {
 /// The nearest quarter turn is subtracted, which is exact, and two minimax polynomials cover the rest,
 /// |r| <= 1/8: sin(2 pi r) = r (2 pi + r^2 P(r^2)), cos(2 pi r) = 1 + r^2 Q(r^2). (Remez, relative error below 1e-8 in
 /// float, 3e-17 in double, coefficients rounded.) No branch and no libm call, so it vectorises.
-/// Domain: u in [-1/8, 9/8]; a float of 2^28 or more is undefined.
+/// Domain: u in [-1/8, 9/8]; of a float, |u| of 2^28 and more and a NaN are undefined.
 /// Error: at most 2 ULP in float and double. Other scalars call `sin` and `cos` by ADL.
 /// (Inlined by force: docs/design.md.)
 template <scalar T>

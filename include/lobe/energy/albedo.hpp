@@ -40,7 +40,7 @@ auto directional_albedo(const B& b, const vec3<typename B::scalar>& v, bool mirr
     for_each_lobe(b, [&](const auto& lobe) {
         const auto f_cos = [lobe, v](const vec3<T>& l) { return lobe.f_cos(v, l); };
         const auto part =
-            hemisphere_integral(f_cos, v, lobe.width(), mirrored, options, creases_of(lobe), mirrored && !kinked(lobe));
+            hemisphere_integral(f_cos, v, lobe.width(), mirrored, options, creases_of(lobe), !kinked(lobe));
         total = {total.value + S(part.value), total.error + part.error, total.evaluations + part.evaluations};
     });
     return total;
@@ -119,7 +119,7 @@ auto average_albedo(const B& b, const quadrature& options = {}) {
         });
         return total;
     };
-    const auto result = detail::converge<W>(at_order, options, 128, false);
+    const auto result = detail::converge<W>(at_order, options, 128);
     const vec2<T> width = b.width();
     const W rounded = detail::rounding<T>(result.value, W(smaller(width.x, width.y)), result.order);
     return estimate<S, T>{S(result.value), T(result.error + rounded), evaluations};

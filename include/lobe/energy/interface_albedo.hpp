@@ -62,7 +62,7 @@ interface_albedo<typename B::scalar> albedo_of(const B& b, const vec3<typename B
         [&](int order) {
             return refraction_integral_at<T>(f_cos, up, side.side, b.width(), mirrored, order, &evaluations);
         },
-        options, 192, false);
+        options, 192);
     const W width = W(smaller(b.width().x, b.width().y));
     return {hemisphere_integral(f_cos, up, b.width(), mirrored, options, side.creases),
             {T(refracted.value), T(refracted.error + rounding<T>(refracted.value, width * W(up.z), refracted.order)),
@@ -124,7 +124,7 @@ auto average_albedo(const B& b, bool from_below, const quadrature& options = {})
         }
         return total;
     };
-    const auto result = detail::converge<W>(at_order, options, 128, false);
+    const auto result = detail::converge<W>(at_order, options, 128);
     const W width = W(smaller(b.width().x, b.width().y));
     const auto part = [&](const W& value, int count) {
         return estimate<T, T>{T(value), T(result.error + detail::rounding<T>(value, width, result.order)), count};

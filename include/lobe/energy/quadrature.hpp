@@ -79,7 +79,7 @@ struct converged {
 /// The value at an order, with the error that `quadrature` describes: at the order asked for, or at the first that
 /// meets the tolerance. `smooth`: the integrand has no crease.
 template <class W, class AtOrder>
-auto converge(const AtOrder& at_order, const quadrature& options, int last, bool smooth) {
+auto converge(const AtOrder& at_order, const quadrature& options, int last, bool smooth = false) {
     int order = options.order ? options.order : 16;
     auto half = at_order(order / 2), lower = at_order(3 * order / 4), value = at_order(order);
     using value_type = decltype(value);
@@ -351,7 +351,7 @@ auto hemisphere_integral_at(const G& g, const vec3<T>& v, const vec2<T>& width, 
 /// int g(l) dl over the upper hemisphere, for a g that follows reflections from v by a surface whose slopes have the
 /// scale `width`: f_cos, a pdf, each times anything smooth. Unit v above the horizon. Scalar types only.
 /// `creases`: the cosines v.m in (0,1) at which g has a kink, m the half vector: critical angles. The nodes are cut
-/// there. `smooth`: g has no kink at all, and is even in the azimuth around v: fewer orders do.
+/// there. `smooth`: g has no kink at all; with `mirrored` fewer orders do.
 template <scalar T, class G>
 auto hemisphere_integral(const G& g, const vec3<T>& v, const vec2<T>& width, bool mirrored,
                          const quadrature& options = {}, const std::vector<detail::wide_t<T>>& creases = {},
@@ -365,7 +365,7 @@ auto hemisphere_integral(const G& g, const vec3<T>& v, const vec2<T>& width, boo
     const auto at_order = [&](int order) {
         return detail::hemisphere_integral_at(g, v, width, mirrored, order, creases, &evaluations);
     };
-    const auto result = detail::converge<W>(at_order, options, 192, smooth && creases.empty());
+    const auto result = detail::converge<W>(at_order, options, 192, smooth && mirrored && creases.empty());
     const W rounded = detail::rounding<T>(result.value, W(smaller(width.x, width.y)) * W(v.z), result.order);
     return estimate<S, T>{S(result.value), T(result.error + rounded), evaluations};
 }
