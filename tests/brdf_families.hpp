@@ -37,7 +37,7 @@ struct any_lobe {
     std::function<lobe::vec3<T>(const lobe::vec3<T>&, const lobe::vec3<T>&)> f;
     lobe::vec2<T> scale;
     std::vector<T> creases;
-    bool kinked = false;
+    bool smooth = false;
 
     using scalar = T;
     using spectrum = lobe::vec3<T>;
@@ -61,7 +61,7 @@ any_brdf<T> erased(const B& brdf) {
         const auto f_cos = [part](const lobe::vec3<T>& v, const lobe::vec3<T>& l) {
             return lobe::vec3<T>(part.f_cos(v, l));
         };
-        all.lobes.push_back({f_cos, part.width(), {}, lobe::detail::kinked(part)});
+        all.lobes.push_back({f_cos, part.width(), {}, lobe::detail::smooth(part)});
         lobe::detail::for_each_crease(part, [&](const T& c) { all.lobes.back().creases.push_back(c); });
     });
     return all;

@@ -152,6 +152,28 @@ TEMPLATE_TEST_CASE("quadrature: the estimate is at least the error in 99 of 100 
         }
 }
 
+TEST_CASE("quadrature: only what says that it is smooth skips orders", "[quadrature]") {
+    using lobe::detail::smooth;
+    const lobe::ggx ndf{lobe::alpha{0.3}};
+    const lobe::schlick F{0.04};
+    CHECK(smooth(lobe::microfacet{ndf, lobe::smith_correlated{}, F}));
+    CHECK(!smooth(lobe::microfacet{ndf, lobe::v_cavity{}, F}));
+    CHECK(!smooth(lobe::microfacet{ndf, lobe::smith_direction_correlated{}, F}));
+    CHECK(!smooth(lobe::oren_nayar{0.8, 0.5}));
+    // a base under a lobe, whose share may come from a table
+    bool any = false;
+    lobe::detail::for_each_lobe(
+        lobe::layered{lobe::microfacet{ndf, lobe::v_cavity{}, F}, lobe::lambert{0.8}, lobe::albedo_coupling{F}},
+        [&](const auto& part) { any = any || smooth(part); });
+    CHECK(!any);
+    // and it does: 8, 12, 16 and 32, or the whole row of them
+    const auto evaluations = [&](const auto& masking) {
+        return lobe::directional_albedo(lobe::microfacet{ndf, masking, F}, 0.3).evaluations;
+    };
+    CHECK(evaluations(lobe::smith_correlated{}) == 128 + 288 + 512 + 2048);
+    CHECK(evaluations(lobe::v_cavity{}) > 128 + 288 + 512 + 1152 + 2048);
+}
+
 // By hand: the table of all models, LOBE_CASES=200 each.
 TEMPLATE_TEST_CASE("quadrature: table of estimates", "[.][estimates]", float, double) {
     const std::vector<lobe::quadrature> options{{}, {.order = 8}, {.order = 16}, {.order = 32}, {.order = 64}};

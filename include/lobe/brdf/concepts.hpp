@@ -37,11 +37,11 @@ constexpr void for_each_crease(const Part& part, const G& g) {
     if constexpr (requires { part.for_each_crease(g); }) part.for_each_crease(g);
 }
 
-/// Whether it says, by `kinked`, that it bends elsewhere as well: quadrature then takes no step for granted.
+/// Whether it says, by `smooth`, that it bends nowhere else: quadrature then needs fewer orders to know its error.
 template <class Part>
-constexpr bool kinked(const Part& part) {
-    if constexpr (requires { part.kinked; })
-        return part.kinked;
+constexpr bool smooth(const Part& part) {
+    if constexpr (requires { part.smooth; })
+        return part.smooth;
     else
         return false;
 }

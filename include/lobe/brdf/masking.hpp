@@ -41,6 +41,7 @@ private:
 /// Masking and shadowing independent of each other: G2 = G1(v) G1(l). Smith 1967; Walter et al. 2007, eq. 23.
 /// Simpler than the correlated form and darker than a real height field, by up to 0.09. Error of V: 6 ULP.
 struct smith_separable : masking_functions<smith_separable> {
+    static constexpr bool smooth = true;
     using masking_functions::denominator;
     template <distribution N, class T = typename N::scalar>
     constexpr T denominator(const N& ndf, const vec3<T>&, const vec3<T>& l, const T& sv) const {
@@ -54,6 +55,7 @@ struct smith_separable : masking_functions<smith_separable> {
 /// from both sides it is (Sv cos_l + Sl cos_v)/2: shorter, where a distribution has them and no caller has sv already.
 /// Error of V: 6 ULP.
 struct smith_correlated : masking_functions<smith_correlated> {
+    static constexpr bool smooth = true;
     template <distribution N, class T = typename N::scalar>
     constexpr T denominator(const N& ndf, const vec3<T>& v, const vec3<T>& l) const {
         if constexpr (requires { ndf.projected_area_both(v); })
@@ -76,7 +78,6 @@ struct smith_correlated : masking_functions<smith_correlated> {
 /// v, l unit, above the horizon. Calls `atan2`, so a loop vectorises only where there is a vector atan2.
 /// Error: 6 ULP.
 struct smith_direction_correlated : masking_functions<smith_direction_correlated> {
-    static constexpr bool kinked = true;
     using masking_functions::denominator;
     template <distribution N, class T = typename N::scalar>
     constexpr T denominator(const N& ndf, const vec3<T>& v, const vec3<T>& l, const T& sv) const {
@@ -98,6 +99,7 @@ struct smith_direction_correlated : masking_functions<smith_direction_correlated
 /// Error against smith_correlated: G2 too dark by up to 0.233, where both cosines are 1.6 alpha and alpha is small;
 /// never too bright; exact at alpha = 1. Rounding: 4 ULP.
 struct smith_hammon : masking_functions<smith_hammon> {
+    static constexpr bool smooth = true;
     using masking_functions::denominator;
     template <distribution N, class T = typename N::scalar>
         requires(N::isotropic)

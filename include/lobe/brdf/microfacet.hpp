@@ -142,8 +142,8 @@ public:
     constexpr const N& normals() const { return ndf; }
     constexpr const F& fresnel() const { return fresnel_; }
 
-    /// Does the masking bend?
-    static constexpr bool kinked = requires { requires M::kinked; };
+    /// As the masking is; what else bends says where, or shows in the orders of a quadrature.
+    static constexpr bool smooth = requires { requires M::smooth; };
     /// The critical angles of the Fresnel reflectance: where quadrature cuts.
     template <class G>
     constexpr void for_each_crease(const G& g) const {

@@ -76,7 +76,6 @@ public:
     }
     constexpr vec2<T> width() const { return base.width(); }
 
-    static constexpr bool kinked = requires { requires Base::kinked; };
     template <class G>
     constexpr void for_each_crease(const G& g) const {
         detail::for_each_crease(base, g);

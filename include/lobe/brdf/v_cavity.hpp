@@ -14,7 +14,6 @@ namespace lobe {
 /// a weight may exceed F.
 /// Error: 6 ULP where v + l does not cancel.
 struct v_cavity : masking_functions<v_cavity> {
-    static constexpr bool kinked = true;
     using masking_functions::denominator;
     template <distribution N, class T = typename N::scalar>
     constexpr T denominator(const N&, const vec3<T>& v, const vec3<T>& l, const T&) const {

@@ -40,7 +40,7 @@ auto directional_albedo(const B& b, const vec3<typename B::scalar>& v, bool mirr
     for_each_lobe(b, [&](const auto& lobe) {
         const auto f_cos = [lobe, v](const vec3<T>& l) { return lobe.f_cos(v, l); };
         const auto part =
-            hemisphere_integral(f_cos, v, lobe.width(), mirrored, options, creases_of(lobe), !kinked(lobe));
+            hemisphere_integral(f_cos, v, lobe.width(), mirrored, options, creases_of(lobe), smooth(lobe));
         total = {total.value + S(part.value), total.error + part.error, total.evaluations + part.evaluations};
     });
     return total;

@@ -29,8 +29,9 @@ struct estimate {
 /// How hard to try. With `order = 0` the order goes 8, 12, 16, 24, 32, ... until the error is at most `tolerance`
 /// (absolute; before the roundings in T), or the order 192. Otherwise the value is that of this order. In both cases
 /// the error is 4 times the distance to the farther of two lower orders, 3/4 and 1/2 of it: one alone can agree by
-/// accident. A smooth lobe goes from 16 to 32, and stops there if that changed it 64 times less than what made 16 of 8
-/// and 12: the error is then 1/16 of this change. That is 2976 evaluations for isotropic GGX.
+/// accident. An isotropic lobe that says it is `smooth`, as microfacets of most maskings do, goes from 16 to 32, and
+/// stops there if that changed it 64 times less than what made 16 of 8 and 12: the error is then 1/16 of this change.
+/// For GGX that is 2976 evaluations.
 /// An order n costs 2 n^2 evaluations for a view in the plane of symmetry of an isotropic BRDF, 4 n^2 for any other,
 /// and with the two lower ones 1.8 times that; with a critical angle, 2 to 5 times more.
 struct quadrature {
